@@ -1,0 +1,211 @@
+#include "mesh/quad_mesh.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace requad::mesh {
+
+namespace {
+
+std::string edge_name(int a, int b) { return "edge " + std::to_string(a) + "-" + std::to_string(b); }
+
+}  // namespace
+
+QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 4>> faces) {
+  QuadMesh mesh;
+  const std::size_t half_edges = 4 * faces.size();
+  if (half_edges > (std::size_t{1} << 31) - 1) throw MeshError("too many faces: " + std::to_string(faces.size()));
+  mesh.twin_.resize(half_edges);
+  mesh.origin_.resize(half_edges);
+  mesh.out_.resize(static_cast<std::size_t>(vertex_count));
+
+  struct Side {
+    int low, high;
+    std::int32_t half_edge;
+    bool forward;
+  };
+  std::vector<Side> sides;
+  sides.reserve(half_edges);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = faces[f][k];
+      const int b = faces[f][(k + 1) % 4];
+      if (a < 0 || a >= vertex_count) {
+        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " is not in 0.." + std::to_string(vertex_count - 1));
+      }
+      if (a == b || a == faces[f][(k + 2) % 4]) {
+        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " occurs twice");
+      }
+      const auto h = static_cast<std::int32_t>(4 * f + k);
+      mesh.origin_[4 * f + k] = VertexId(a);
+      mesh.out_[static_cast<std::size_t>(a)] = HalfEdgeId(h);
+      sides.push_back({std::min(a, b), std::max(a, b), h, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.low, x.high, x.half_edge) < std::tie(y.low, y.high, y.half_edge);
+  });
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+    const std::string name = edge_name(sides[i].low, sides[i].high);
+    if (end - i > 2) throw MeshError(name + " has " + std::to_string(end - i) + " faces");
+    if (end - i == 2) {
+      if (sides[i].forward == sides[i + 1].forward) {
+        throw MeshError(name + ": faces " + std::to_string(sides[i].half_edge / 4) + " and " +
+                        std::to_string(sides[i + 1].half_edge / 4) + " are not oriented alike");
+      }
+      mesh.twin_[static_cast<std::size_t>(sides[i].half_edge)] = HalfEdgeId(sides[i + 1].half_edge);
+      mesh.twin_[static_cast<std::size_t>(sides[i + 1].half_edge)] = HalfEdgeId(sides[i].half_edge);
+    }
+    i = end;
+  }
+
+  // One fan per vertex, starting at the boundary where there is one.
+  std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);
+  for (std::size_t h = 0; h < half_edges; ++h) {
+    ++degree[mesh.origin_[h].slot()];
+    if (!mesh.twin_[h].valid()) mesh.out_[mesh.origin_[h].slot()] = HalfEdgeId(static_cast<std::int32_t>(h));
+  }
+  for (int v = 0; v < vertex_count; ++v) {
+    const VertexId vertex(v);
+    if (!mesh.out(vertex).valid()) throw MeshError("vertex " + std::to_string(v) + " has no face");
+    if (mesh.face_valence(vertex) != degree[vertex.slot()]) {
+      throw MeshError("vertex " + std::to_string(v) + " is not manifold: its faces form more than one fan");
+    }
+  }
+  return mesh;
+}
+
+QuadMesh QuadMesh::from_arrays_unchecked(std::vector<HalfEdgeId> twin, std::vector<VertexId> origin,
+                                         std::vector<HalfEdgeId> out) {
+  QuadMesh mesh;
+  mesh.twin_ = std::move(twin);
+  mesh.origin_ = std::move(origin);
+  mesh.out_ = std::move(out);
+  for (std::size_t f = 0; 4 * f + 3 < mesh.origin_.size(); ++f) {
+    if (!mesh.origin_[4 * f].valid()) mesh.free_faces_.emplace_back(static_cast<std::int32_t>(f));
+  }
+  for (std::size_t v = 0; v < mesh.out_.size(); ++v) {
+    if (!mesh.out_[v].valid()) mesh.free_vertices_.emplace_back(static_cast<std::int32_t>(v));
+  }
+  return mesh;
+}
+
+int QuadMesh::edge_count() const {
+  int twice = 0;
+  for (const HalfEdgeId h : half_edges()) twice += is_boundary(h) ? 2 : 1;
+  return twice / 2;
+}
+
+std::vector<VertexId> QuadMesh::vertices() const {
+  std::vector<VertexId> live;
+  live.reserve(static_cast<std::size_t>(vertex_count()));
+  for (int v = 0; v < vertex_capacity(); ++v) {
+    if (is_live(VertexId(v))) live.emplace_back(v);
+  }
+  return live;
+}
+
+std::vector<FaceId> QuadMesh::faces() const {
+  std::vector<FaceId> live;
+  live.reserve(static_cast<std::size_t>(face_count()));
+  for (int f = 0; f < face_capacity(); ++f) {
+    if (is_live(FaceId(f))) live.emplace_back(f);
+  }
+  return live;
+}
+
+std::vector<HalfEdgeId> QuadMesh::half_edges() const {
+  std::vector<HalfEdgeId> live;
+  live.reserve(4 * static_cast<std::size_t>(face_count()));
+  for (int h = 0; h < half_edge_capacity(); ++h) {
+    if (is_live(HalfEdgeId(h))) live.emplace_back(h);
+  }
+  return live;
+}
+
+std::array<VertexId, 4> QuadMesh::corners(FaceId f) const {
+  return {origin(half_edge(f, 0)), origin(half_edge(f, 1)), origin(half_edge(f, 2)), origin(half_edge(f, 3))};
+}
+
+std::vector<VertexId> QuadMesh::neighbours(VertexId v) const {
+  std::vector<VertexId> around;
+  HalfEdgeId last;
+  for_each_out(v, [&](HalfEdgeId h) {
+    around.push_back(target(h));
+    last = h;
+  });
+  if (is_boundary(v)) around.push_back(origin(previous(last)));
+  return around;
+}
+
+int QuadMesh::face_valence(VertexId v) const {
+  int count = 0;
+  for_each_out(v, [&count](HalfEdgeId) { ++count; });
+  return count;
+}
+
+bool QuadMesh::adjacent(VertexId a, VertexId b) const { return find_half_edge(a, b).valid() || find_half_edge(b, a).valid(); }
+
+HalfEdgeId QuadMesh::find_half_edge(VertexId a, VertexId b) const {
+  const HalfEdgeId first = out(a);
+  HalfEdgeId h = first;
+  do {
+    if (target(h) == b) return h;
+    h = ccw(h);
+  } while (h.valid() && h != first);
+  return HalfEdgeId();
+}
+
+std::vector<std::array<int, 4>> QuadMesh::compact_faces() const {
+  std::vector<int> number(out_.size(), -1);
+  int count = 0;
+  for (const VertexId v : vertices()) number[v.slot()] = count++;
+  std::vector<std::array<int, 4>> result;
+  for (const FaceId f : faces()) {
+    std::array<int, 4> face{};
+    for (int k = 0; k < 4; ++k) face[static_cast<std::size_t>(k)] = number[origin(half_edge(f, k)).slot()];
+    result.push_back(face);
+  }
+  return result;
+}
+
+namespace {
+
+// How many ids at the top of the arrays wait at the bottom of the free list in the order in which growing the arrays
+// would hand them out: such a mesh behaves as one whose arrays never grew.
+template <class Id>
+std::size_t grown_for_nothing(const std::vector<Id>& free_ids, std::size_t capacity) {
+  std::size_t n = 0;
+  while (n < free_ids.size() && free_ids[n].slot() == capacity - 1 - n) ++n;
+  return n;
+}
+
+template <class T>
+bool equal_up_to(const std::vector<T>& a, std::size_t drop_a, const std::vector<T>& b, std::size_t drop_b, bool from_front) {
+  const auto first = [from_front](const std::vector<T>& v, std::size_t drop) {
+    return v.begin() + static_cast<std::ptrdiff_t>(from_front ? drop : 0);
+  };
+  const auto last = [from_front](const std::vector<T>& v, std::size_t drop) {
+    return v.end() - static_cast<std::ptrdiff_t>(from_front ? 0 : drop);
+  };
+  return std::equal(first(a, drop_a), last(a, drop_a), first(b, drop_b), last(b, drop_b));
+}
+
+}  // namespace
+
+bool operator==(const QuadMesh& a, const QuadMesh& b) {
+  const std::size_t faces_a = grown_for_nothing(a.free_faces_, a.twin_.size() / 4);
+  const std::size_t faces_b = grown_for_nothing(b.free_faces_, b.twin_.size() / 4);
+  const std::size_t vertices_a = grown_for_nothing(a.free_vertices_, a.out_.size());
+  const std::size_t vertices_b = grown_for_nothing(b.free_vertices_, b.out_.size());
+  return a.out_.size() - vertices_a == b.out_.size() - vertices_b &&
+         equal_up_to(a.twin_, 4 * faces_a, b.twin_, 4 * faces_b, false) &&
+         equal_up_to(a.origin_, 4 * faces_a, b.origin_, 4 * faces_b, false) &&
+         equal_up_to(a.free_faces_, faces_a, b.free_faces_, faces_b, true) &&
+         equal_up_to(a.free_vertices_, vertices_a, b.free_vertices_, vertices_b, true);
+}
+
+}  // namespace requad::mesh

@@ -1,0 +1,78 @@
+// The predicted configuration graph: nodes are configurations, edges the one-step moves of Theorems 7.2, 7.3 and 7.4.
+//
+// The graph is drawn on a surface (a cone over one quadrant for a digon, over three for a hexagon, a rectangle for a 3-5
+// region), so it comes as a map: at each node up to four moves in counter-clockwise order of the grid. A multigraph
+// follows from it, and so do its faces, which the dual grid needs (captions of Figures 10 and 11).
+//
+// Law 4   each level s = d1 + d2 of a digon is a closed cycle of s nodes, of a hexagon of 3 s nodes. At s = 1 the
+//         digon's cycle is a self-loop, at s = 2 a double edge. Between levels s and s + 2 there are s + 1 (3 (s + 1))
+//         edges; the apex (0,0) hangs on level 2 by one (three).
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include "theory/configurations.hpp"
+
+namespace requad::theory {
+
+// The steps of the theorems in grid coordinates (m, n), counter-clockwise from the first: (+1,+1), (-1,+1), (-1,-1),
+// (+1,-1) for equal valences; (+1,0), (0,+1), (-1,0), (0,-1) for a 3-5 pair.
+inline constexpr int kStepCount = 4;
+GridPoint step_offset(PairType type, int step);
+// The step that undoes a step.
+inline int reverse_step(int step) { return (step + 2) % kStepCount; }
+
+// A labelling (not necessarily canonical) reached from another one by a step, strips included; p stays. The result may
+// have entries out of range, which means that there is no such configuration: see is_configuration().
+Configuration stepped(PairType type, const Configuration& from, int step);
+bool is_configuration(const Configuration& labelling);
+
+// One end of a predicted edge.
+struct Dart {
+  int target = -1;  // node index, -1 where the region has no room for the step
+  int slot = -1;    // which of the target's moves leads back
+};
+
+// A node's moves, counter-clockwise round the node. For a degenerate node the last two belong to its other labelling.
+struct MapNode {
+  Configuration configuration;
+  std::vector<Dart> moves;                 // four; as many as there are directions to open it at a merged node
+  std::vector<Configuration> labellings;   // of moves[i]: the labelling that the step applies to
+  std::vector<int> steps;                  // of moves[i]: the step in that labelling
+};
+
+enum class Apex { without, with };
+
+struct ConfigurationMap {
+  PairType type;
+  std::vector<MapNode> nodes;                 // in the order of parameter_set(), the merged ones last
+  std::map<Configuration, int> index;         // of canonical configurations
+
+  // Index of a configuration given by any labelling, -1 if it is not in the map.
+  int find(const Configuration& labelling) const;
+};
+
+// Throws std::invalid_argument on impossible sides. O(nodes log nodes) beyond parameter_set().
+ConfigurationMap configuration_map(PairType type, const IntegerVector& sides, Apex apex);
+
+struct NodeProperty {
+  Configuration configuration;
+};
+// Undirected multigraph: parallel edges and self-loops are kept.
+using ConfigurationGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, NodeProperty>;
+ConfigurationGraph configuration_graph(const ConfigurationMap& map);
+
+// Inner faces of the map and their adjacency: node i of the dual is a bounded face, labelled by the grid point at its
+// centre, which belongs to the region one step smaller or larger. An edge of the map between two bounded faces, or with
+// the same one on both sides, is an edge of the dual. Precondition: equal valences.
+struct DualGrid {
+  std::vector<Configuration> faces;        // canonical (d1, d2, p); strips are left empty
+  std::vector<std::array<int, 2>> edges;   // indices into faces, sorted
+};
+DualGrid dual_grid(const ConfigurationMap& map);
+
+}  // namespace requad::theory

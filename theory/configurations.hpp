@@ -1,0 +1,72 @@
+// Parameter sets: every configuration of a pair that given side lengths allow, each exactly once.
+//
+// Terms
+//   labelling       numbers 1..k laid on the sides of a region so that Law 1 (pair_system.hpp) holds; label i is on side
+//                   i + p - 1 of the region, where p is 1-based. With two equal valences, p and p + k/2 only swap v1
+//                   and v2, so p runs over 1..k/2: the third index of Theorem 7.3.
+//   configuration   a requadrangulation with its pair, up to isomorphism that fixes the boundary.
+//
+// Law 3   (d, 0, p) with strips e is the configuration (0, d, p + 1) with strips shifted by one, e'_i = e_{i+1}.
+// In words: R_alpha is then a segment, and either side of it may be called its zero leg. For a hexagon this glues three
+// quadrants into a cone (Figure 11), for a digon it closes one quadrant (Figure 10). Apart from this, and from swapping
+// equal vertices, a configuration has one labelling.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "theory/pair_system.hpp"
+
+namespace requad::theory {
+
+// A position in the configuration graph: (d1, d2, p), and the strips that go with it.
+struct Configuration {
+  StripParameters parameters;
+  int p = 1;
+
+  Integer d1() const { return parameters.d1; }
+  Integer d2() const { return parameters.d2; }
+  bool degenerate() const { return d1() == 0 || d2() == 0; }
+  // True for (0, 0): the pair merged into one vertex of valence l1 + l2 - 4.
+  bool merged() const { return d1() == 0 && d2() == 0; }
+};
+
+// Order and equality by (p, d1, d2, e).
+bool operator==(const Configuration& a, const Configuration& b);
+bool operator<(const Configuration& a, const Configuration& b);
+
+// The paper's grid coordinates: (d1, d2) for equal valences, (e1, e2) for a 3-5 pair (Theorem 7.4).
+struct GridPoint {
+  Integer m = 0;
+  Integer n = 0;
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+};
+GridPoint grid_point(PairType type, const Configuration& configuration);
+
+// "(m,n)", or "(m,n,p)" where p takes more than one value among the configurations of a region (Theorem 7.3).
+std::string label(PairType type, const Configuration& configuration);
+
+// One-line reasons why there is no convex region with these sides, or "" when the sides make sense: k entries, each in
+// 1..kMaxLength, even sum (a quadrangulated disk has an even boundary).
+std::string sides_problem(PairType type, const IntegerVector& sides);
+// The same for parameters: d1, d2 >= 0 and not both 0, k strips, each >= 1, no length beyond kMaxLength.
+std::string parameters_problem(PairType type, const StripParameters& parameters);
+
+// Law 3's second labelling of a degenerate configuration. Precondition: exactly one of d1, d2 is 0.
+Configuration other_labelling(PairType type, const Configuration& configuration);
+// The labelling that stands for a configuration: d2 = 0 rather than d1 = 0 (the merged one has p = 1). Any labelling is
+// accepted, p in 1..k included.
+Configuration canonical(PairType type, Configuration configuration);
+
+// Side lengths of the region of a configuration, from side 1 of the region (not of the labelling) on.
+IntegerVector region_sides(PairType type, const Configuration& configuration);
+
+// Every configuration of the region with these sides that still holds the pair, canonical, sorted by p, d1, d2, e.
+// Throws std::invalid_argument when sides_problem() has something to say. O(L^2) solves of the system, L the longest side.
+std::vector<Configuration> parameter_set(PairType type, const IntegerVector& sides);
+
+// The merged configurations (0,0), for equal valences: one, or none (it needs E_i = e_{i-1} + e_{i+1} with all e_i >= 1);
+// a family where 4 divides k. Throws as parameter_set().
+std::vector<Configuration> merged_configurations(PairType type, const IntegerVector& sides);
+
+}  // namespace requad::theory

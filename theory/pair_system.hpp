@@ -1,0 +1,101 @@
+// The linear system that ties a pair of irregular vertices to the side lengths of its convex region.
+//
+// Terms (paper, section 7; used by every header of this folder)
+//   pair            two irregular vertices v1, v2 of valences l1 >= l2 >= 3 inside a convex region R.
+//   R_alpha         the d1 x d2 grid between them (Lemma 7.8): v1 and v2 are opposite corners; d2 = 0 or d1 = 0 is a segment.
+//   leg             a separatrix of v1 or v2 that runs along R_alpha; there are two at each vertex.
+//   outward         any other separatrix. v1 has l1 - 2, v2 has l2 - 2. They are numbered 1..k counter-clockwise round
+//                   R, v1's first; k = l1 + l2 - 4 = 4 - G(R) is the number of sides of R (Lemma 7.9).
+//   side i          the side of R that crosses outward separatrix i at a right angle; length E_i >= 1, in edges.
+//   strips e_i      the number of quad strips between R_alpha and side i (Lemmas 7.12-7.14); e_i >= 1 in a region
+//                   whose boundary has no irregular vertex.
+//
+// Law 1   E_i = e_{i-1} + e_{i+1} + (d1 if i is the first outward separatrix of v1 or v2)
+//                                 + (d2 if i is the last outward separatrix of v1 or v2),   indices modulo k.
+// In words: side i runs from side i-1 to side i+1, and is as long as those two sides are far from separatrix i; where a
+// neighbouring side belongs to the other vertex, the displacement between the two vertices adds to the distance.
+// For (l1,l2) = (3,3), (5,5), (5,3) this is the digon's system, Equation 2 and Equation 3 of the paper; it holds for
+// any two valences >= 3, and with d1 = d2 = 0 for one vertex of valence k.
+//
+// Law 2   the matrix of the e_i is a circulant; it is singular exactly when 4 divides k (Theorem 7.1's condition).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace requad::theory {
+
+using Integer = std::int64_t;
+using IntegerVector = Eigen::Matrix<Integer, Eigen::Dynamic, 1>;
+using IntegerMatrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
+
+// Longest side that parameters may have: products of two lengths, and sums of a few, stay far inside 64 bits.
+inline constexpr Integer kMaxLength = 1'000'000;
+
+// Valences of a pair, the larger first. The paper's three: 3-3 in a digon, 5-5 in a hexagon, 3-5 in a quadrilateral.
+struct PairType {
+  int l1 = 3;
+  int l2 = 3;
+
+  int side_count() const { return l1 + l2 - 4; }
+  bool symmetric() const { return l1 == l2; }
+  // Number of ways to lay the labels 1..k on given sides; labellings that only swap two equal vertices count once.
+  int rotation_count() const { return symmetric() ? side_count() / 2 : side_count(); }
+  // "3-3", "5-5", "3-5": the smaller valence first, as the paper writes it.
+  std::string name() const;
+
+  friend bool operator==(const PairType&, const PairType&) = default;
+};
+
+inline constexpr PairType kDigon{3, 3};
+inline constexpr PairType kHexagon{5, 5};
+inline constexpr PairType kQuad{5, 3};
+
+// (d1, d2, e_1..e_k): the separatrix-strip parameters.
+struct StripParameters {
+  Integer d1 = 0;
+  Integer d2 = 0;
+  IntegerVector e;
+};
+
+// Law 1 as matrices: E = strip_matrix() * e + d1 * first_offset() + d2 * last_offset().
+class PairSystem {
+ public:
+  // Precondition: type.l1 >= type.l2 >= 3.
+  explicit PairSystem(PairType type);
+
+  const PairType& type() const { return type_; }
+  const IntegerMatrix& strip_matrix() const { return strips_; }
+  const IntegerVector& first_offset() const { return first_; }
+  const IntegerVector& last_offset() const { return last_; }
+
+  // Side lengths E_1..E_k. Precondition: parameters.e has k entries.
+  IntegerVector side_lengths(const StripParameters& parameters) const;
+
+  // All e with every e_i >= 1 that give the sides E with these d1, d2; empty when there is none. One at most unless 4
+  // divides k. Exact: integers only. O(k) for each solution. Lexicographic order.
+  std::vector<IntegerVector> solve_strips(const IntegerVector& sides, Integer d1, Integer d2) const;
+
+  // Number of quads: d1 d2 + sum e_i e_{i+1} + d1 (e of the two firsts) + d2 (e of the two lasts). Each term is one
+  // kind of rectangle: R_alpha, those between consecutive outward separatrices, those along the legs.
+  Integer face_count(const StripParameters& parameters) const;
+
+ private:
+  PairType type_;
+  IntegerMatrix strips_;
+  IntegerVector first_;
+  IntegerVector last_;
+};
+
+// All positive solutions of e_{i-1} + e_{i+1} = c_i (indices modulo k = c.size() >= 1): the single-vertex system of
+// Theorem 7.1, and what is left of Law 1 when d1, d2 are given. Unique unless 4 divides k. Lexicographic order.
+std::vector<IntegerVector> solve_circulant(const IntegerVector& c);
+
+// Exact determinant by fraction-free elimination (Bareiss). Precondition: square, entries small enough for 64 bits.
+Integer determinant(IntegerMatrix matrix);
+
+}  // namespace requad::theory
