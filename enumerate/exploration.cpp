@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "enumerate/generators.hpp"
 #include "mesh/signature.hpp"
 
 namespace requad::enumerate {
@@ -26,7 +27,7 @@ std::optional<theory::Configuration> labelling(const Region& region, PairType ty
 
 }  // namespace
 
-Exploration explore(PairType type, const Region& start) {
+Exploration explore(PairType type, const std::vector<Region>& starts) {
   Exploration found{type, {}, {}};
   std::unordered_map<std::string, int> index;
   const auto node_index = [&](const Region& region) {
@@ -34,7 +35,7 @@ Exploration explore(PairType type, const Region& start) {
     if (is_new) found.nodes.push_back({region, it->first, read(region, type)});
     return it->second;
   };
-  node_index(start);
+  for (const Region& start : starts) node_index(start);
   for (std::size_t i = 0; i < found.nodes.size(); ++i) {
     if (!found.nodes[i].reading.problem.empty()) continue;  // the caller sees the problem; there is nothing to move
     for (const PairMove& move : moves_of(found.nodes[i])) {
@@ -66,6 +67,15 @@ Exploration explore(PairType type, const Region& start) {
     }
   }
   return found;
+}
+
+Exploration explore_all(PairType type, const theory::IntegerVector& sides, theory::Apex apex) {
+  std::vector<Region> starts;
+  for (const auto& c : theory::parameter_set(type, sides)) starts.push_back(glue_region(type, c));
+  if (apex == theory::Apex::with) {
+    for (const auto& c : theory::merged_configurations(type, sides)) starts.push_back(glue_region(type, c));
+  }
+  return explore(type, starts);
 }
 
 theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex, std::vector<int>* node_of) {

@@ -1,6 +1,6 @@
 // Exhaustive exploration: from one configuration, every pair move until nothing new is found.
 //
-// Contract. explore() produces every configuration that pair moves reach from the start, precisely once up to
+// Contract. explore() produces every configuration that pair moves reach from the starts, precisely once up to
 // isomorphism rel boundary (equal signatures from the root), the merged configurations that lie on the way included. At
 // each it tries every move that pair_moves() or parting_moves() lists. Labels are read off each mesh (labels.hpp).
 #pragma once
@@ -44,8 +44,11 @@ struct Exploration {
   bool holds_pair(int node) const { return !nodes[static_cast<std::size_t>(node)].reading.configuration.merged(); }
 };
 
-// Precondition: region_problem(start) is "" and read(start, type) has no problem. O(nodes * moves * mesh).
-Exploration explore(theory::PairType type, const mesh::Region& start);
+// The first nodes are the starts, in their order (equal ones once). Precondition: region_problem(start) is "". A node in
+// whose region read() finds a problem is kept, with the problem, and not moved. O(nodes * moves * mesh).
+Exploration explore(theory::PairType type, const std::vector<mesh::Region>& starts);
+// From every configuration of parameter_set(), glued, and the merged ones if apex says so. Throws as parameter_set().
+Exploration explore_all(theory::PairType type, const theory::IntegerVector& sides, theory::Apex apex);
 
 // The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n
 // edges and n moves from i to itself n / 2 edges. Throws std::logic_error if the moves do not pair up so. Apex::without

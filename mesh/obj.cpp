@@ -1,11 +1,10 @@
 #include "mesh/obj.hpp"
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <locale>
+#include <sstream>
 
 #include "mesh/embedding.hpp"
+#include "mesh/program.hpp"
 
 namespace requad::mesh {
 
@@ -23,22 +22,9 @@ void write_obj(std::ostream& out, const QuadMesh& m, const std::vector<Eigen::Ve
 }
 
 void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments) {
-  const std::string temporary = path + ".part";
-  {
-    std::ofstream out(temporary);
-    write_obj(out, region.mesh, embed(region), comments);
-    out.flush();
-    if (!out) {
-      std::remove(temporary.c_str());
-      throw MeshError(path + ": can not be written");
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) {
-    std::remove(temporary.c_str());
-    throw MeshError(path + ": " + error.message());
-  }
+  std::ostringstream text;
+  write_obj(text, region.mesh, embed(region), comments);
+  program::write_text(path, text.str());
 }
 
 }  // namespace requad::mesh

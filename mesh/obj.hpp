@@ -16,8 +16,8 @@ namespace requad::mesh {
 void write_obj(std::ostream& out, const QuadMesh& mesh, const std::vector<Eigen::Vector2d>& positions,
                const std::vector<std::string>& comments = {});
 
-// A region drawn by embed(), written to a file as a whole or not at all: into a temporary file beside it, then renamed.
-// Throws MeshError with a one-line reason.
+// A region drawn by embed(), written to a file as a whole or not at all, or to stdout if path is "-". Throws
+// program::UsageError with a one-line reason.
 void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments = {});
 
 }  // namespace requad::mesh

@@ -1,0 +1,114 @@
+#include "mesh/program.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include <unistd.h>
+
+#include "mesh/quad_mesh.hpp"
+
+namespace requad::program {
+
+int run(std::string_view name, const std::function<int()>& body) {
+  const auto say = [name](const char* what) { std::cerr << name << ": " << what << '\n'; };
+  try {
+    const int code = body();
+    std::cout.flush();
+    if (!std::cout) throw UsageError("standard output can not be written");
+    return code;
+  } catch (const UsageError& error) {
+    say(error.what());
+    return kBadInput;
+  } catch (const mesh::MeshError& error) {
+    say(error.what());
+    return kBadInput;
+  } catch (const std::invalid_argument& error) {
+    say(error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    say((std::string("internal error: ") + error.what()).c_str());
+    return kCheckFailed;
+  }
+}
+
+std::int64_t parse_integer(std::string_view text, std::string_view what) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    throw UsageError(std::string(what) + ": " + std::string(text) + " is too large");
+  }
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw UsageError(std::string(what) + ": '" + std::string(text) + "' is not an integer");
+  }
+  return value;
+}
+
+std::vector<std::int64_t> parse_integers(std::string_view text, std::string_view what) {
+  std::vector<std::int64_t> values;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    values.push_back(parse_integer(text.substr(start, comma - start), what));
+    start = comma + 1;
+  }
+  return values;
+}
+
+Range parse_range(std::string_view text, std::string_view what) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) {
+    const std::int64_t only = parse_integer(text, what);
+    return {only, only};
+  }
+  const Range range{parse_integer(text.substr(0, dots), what), parse_integer(text.substr(dots + 2), what)};
+  if (range.first > range.last) {
+    throw UsageError(std::string(what) + ": " + std::string(text) + " is empty; expected FIRST..LAST with FIRST <= LAST");
+  }
+  return range;
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  if (path == "-") {
+    std::cout << text;
+    return;
+  }
+  const std::string temporary = path + ".part";
+  {
+    std::ofstream out(temporary, std::ios::binary);
+    out << text;
+    out.flush();
+    if (!out) {
+      std::remove(temporary.c_str());
+      throw UsageError(path + ": can not be written");
+    }
+  }
+  std::error_code error;
+  std::filesystem::rename(temporary, path, error);
+  if (error) {
+    std::remove(temporary.c_str());
+    throw UsageError(path + ": " + error.message());
+  }
+}
+
+Progress::Progress(std::string what, std::int64_t total, bool quiet)
+    : what_(std::move(what)), total_(total), shown_(!quiet && isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()), last_(start_) {}
+
+Progress::~Progress() {
+  if (printed_) std::cerr << "\r\033[K";
+}
+
+void Progress::advance(std::int64_t by) {
+  const std::int64_t done = done_ += by;
+  if (!shown_) return;
+  const std::scoped_lock lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(200)) return;
+  last_ = now;
+  printed_ = true;
+  std::cerr << '\r' << what_ << ": " << done << " of " << total_ << "\033[K" << std::flush;
+}
+
+}  // namespace requad::program

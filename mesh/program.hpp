@@ -1,0 +1,68 @@
+// What all programs share: exit codes, one-line errors, numbers on command lines, whole files, progress.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace requad::program {
+
+enum ExitCode : int {
+  kDone = 0,         // done, and all that was checked is true
+  kCheckFailed = 1,  // a check failed
+  kBadInput = 2,     // bad arguments or bad input
+  kUndecided = 3     // a limit was reached
+};
+
+// Bad arguments or input: one line that says what, where and what was expected.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Calls body and returns its exit code; an exception ends in one line "NAME: message" on stderr and kBadInput for bad
+// arguments and input, kCheckFailed for anything else, which is a fault of this program.
+int run(std::string_view name, const std::function<int()>& body);
+
+// A decimal integer and nothing else; `what` names it in the error.
+std::int64_t parse_integer(std::string_view text, std::string_view what);
+// "6,6,6".
+std::vector<std::int64_t> parse_integers(std::string_view text, std::string_view what);
+// "3..24", or "7" for 7..7; first <= last.
+struct Range {
+  std::int64_t first;
+  std::int64_t last;
+};
+Range parse_range(std::string_view text, std::string_view what);
+
+// Writes text to a file as a whole or not at all (a temporary file beside it, then renamed), or to stdout if path is "-".
+// Throws UsageError.
+void write_text(const std::string& path, std::string_view text);
+
+// A counter on stderr, shown only if stderr is a terminal and the work has taken a second. Safe to call from any thread.
+class Progress {
+ public:
+  Progress(std::string what, std::int64_t total, bool quiet);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void advance(std::int64_t by = 1);
+
+ private:
+  std::string what_;
+  std::int64_t total_;
+  bool shown_;
+  std::atomic<std::int64_t> done_{0};
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_;
+  bool printed_ = false;
+};
+
+}  // namespace requad::program

@@ -1,0 +1,174 @@
+#include "verify/campaign.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace requad::verify {
+
+namespace {
+
+using theory::Integer;
+using theory::IntegerVector;
+
+IntegerVector to_vector(const std::vector<Integer>& values) {
+  IntegerVector v(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) v(static_cast<Eigen::Index>(i)) = values[i];
+  return v;
+}
+
+// Calls visit(sides) for every sequence of k positive integers with this sum that is the least of its rotations.
+template <class Visit>
+void for_each_necklace(int k, Integer sum, Visit&& visit) {
+  std::vector<Integer> sides(static_cast<std::size_t>(k), 1);
+  const auto least_rotation = [&] {
+    for (int shift = 1; shift < k; ++shift) {
+      std::vector<Integer> rotated(sides.begin() + shift, sides.end());
+      rotated.insert(rotated.end(), sides.begin(), sides.begin() + shift);
+      if (rotated < sides) return false;
+    }
+    return true;
+  };
+  const auto fill = [&](auto&& self, std::size_t at, Integer left) -> void {
+    if (at + 1 == sides.size()) {
+      sides[at] = left;
+      if (least_rotation()) visit(sides);
+      return;
+    }
+    for (Integer x = sides.front(); left - x >= static_cast<Integer>(sides.size() - at) - 1; ++x) {
+      sides[at] = x;
+      self(self, at + 1, left - x);
+    }
+  };
+  // The first entry is the least, so the others need not go below it.
+  for (Integer first = 1; first * k <= sum; ++first) {
+    sides[0] = first;
+    if (k == 1) {
+      if (first == sum) visit(sides);
+    } else {
+      fill(fill, 1, sum - first);
+    }
+  }
+}
+
+}  // namespace
+
+CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
+  CaseList list;
+  const auto add = [&](Family family, theory::PairType type, const IntegerVector& sides) {
+    if (theory::exact_count(type, sides) > 0) {
+      list.cases.push_back({family, type, sides});
+    } else if (theory::parameter_set(type, sides).empty()) {
+      ++list.empty[family];
+    } else {
+      list.cases.push_back({family, type, sides});  // the count is wrong: let the claim say so
+    }
+  };
+  const auto regular = [&](Family family, theory::PairType type, program::Range lengths) {
+    if (families.count(family) == 0) return;
+    for (Integer length = lengths.first; length <= lengths.last; ++length) {
+      add(family, type, IntegerVector::Constant(type.side_count(), length));
+    }
+  };
+  const auto by_perimeter = [&](Family family, theory::PairType type, program::Range perimeters, bool with_regular) {
+    if (families.count(family) == 0) return;
+    for (Integer perimeter = perimeters.first; perimeter <= perimeters.last; ++perimeter) {
+      if (perimeter % 2 != 0) continue;
+      for_each_necklace(type.side_count(), perimeter, [&](const std::vector<Integer>& sides) {
+        const bool equal = std::all_of(sides.begin(), sides.end(), [&](Integer x) { return x == sides[0]; });
+        if (with_regular || !equal) add(family, type, to_vector(sides));
+      });
+    }
+  };
+  regular(Family::regular_digon, theory::kDigon, ranges.digon);
+  regular(Family::regular_hexagon, theory::kHexagon, ranges.hexagon);
+  by_perimeter(Family::quad, theory::kQuad, ranges.quad_perimeter, true);
+  by_perimeter(Family::other_digon, theory::kDigon, ranges.other_perimeter, false);
+  by_perimeter(Family::other_hexagon, theory::kHexagon, ranges.other_perimeter, false);
+  return list;
+}
+
+std::set<Family> families_of(const std::string& id) {
+  using enum Family;
+  if (id == "T2") return {regular_digon, other_digon};
+  if (id == "T3") return {regular_hexagon, other_hexagon};
+  if (id == "T4" || id == "P1" || id == "N1") return {quad};
+  if (id == "P2") return {regular_digon, regular_hexagon, other_digon, other_hexagon};
+  if (id == "F1" || id == "N2") return {regular_digon, regular_hexagon};
+  return {regular_digon, regular_hexagon, quad, other_digon, other_hexagon};
+}
+
+bool CampaignResult::passed() const {
+  return std::all_of(claims.begin(), claims.end(), [](const ClaimResult& c) { return !c.violation && c.instances > 0; });
+}
+
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, int threads, bool quiet) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  struct CaseResult {
+    std::vector<Judgement> judgements;
+    std::vector<double> seconds;
+    double study_seconds = 0;
+  };
+  std::vector<CaseResult> results(list.cases.size());
+  program::Progress progress("regions", static_cast<std::int64_t>(list.cases.size()), quiet);
+
+  const auto run_case = [&](std::size_t i) {
+    CaseResult& result = results[i];
+    const auto failed = [](const std::exception& error) {
+      Judgement j;
+      j.violation = Violation{error.what(), "", "", std::nullopt};
+      return j;
+    };
+    const auto start = Clock::now();
+    try {
+      const Study s = study(list.cases[i]);
+      result.study_seconds = since(start);
+      for (const Claim* claim : selected) {
+        const auto judging = Clock::now();
+        try {
+          result.judgements.push_back(claim->judge(s));
+        } catch (const std::exception& error) {
+          result.judgements.push_back(failed(error));
+        }
+        result.seconds.push_back(since(judging));
+      }
+    } catch (const std::exception& error) {
+      result.judgements.assign(selected.size(), failed(error));
+      result.seconds.assign(selected.size(), 0);
+    }
+    progress.advance();
+  };
+  std::optional<tbb::global_control> limit;
+  if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::parallel_for(std::size_t{0}, list.cases.size(), run_case);
+
+  CampaignResult campaign;
+  campaign.empty = list.empty;
+  for (const CaseResult& r : results) campaign.study_seconds += r.study_seconds;
+  for (std::size_t c = 0; c < selected.size(); ++c) {
+    ClaimResult total;
+    total.claim = selected[c];
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      Judgement& j = results[i].judgements[c];
+      total.seconds += results[i].seconds[c];
+      if (!j.applies) continue;
+      ++total.instances;
+      FamilyTotal& family = total.totals[list.cases[i].family];
+      ++family.regions;
+      family.checks += j.checks;
+      if (!j.row.is_null()) total.table.push_back(std::move(j.row));
+      if (j.violation && !total.violation) {
+        total.violation = std::move(j.violation);
+        total.violating_region = list.cases[i];
+      }
+    }
+    campaign.claims.push_back(std::move(total));
+  }
+  return campaign;
+}
+
+}  // namespace requad::verify

@@ -1,0 +1,60 @@
+// A campaign: claims checked on many regions, in parallel, with results that do not depend on the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh/program.hpp"
+#include "verify/claims.hpp"
+
+namespace requad::verify {
+
+// Which regions. Ranges are inclusive; a range whose last is below its first is empty.
+struct Ranges {
+  program::Range digon{3, 24};         // side length of regular digons
+  program::Range hexagon{3, 12};       // side length of regular hexagons
+  program::Range quad_perimeter{8, 24};
+  program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons
+};
+
+// All regions of the ranges that have a configuration, each once up to rotation of its sides. (The others have an empty
+// parameter set and an exact count of 0: counted in `empty`.) Families in order, then by perimeter, then by sides.
+struct CaseList {
+  std::vector<RegionCase> cases;
+  std::map<Family, std::int64_t> empty;
+};
+CaseList list_cases(const Ranges& ranges, const std::set<Family>& families);
+
+// The families that a claim can say something about.
+std::set<Family> families_of(const std::string& claim_id);
+
+struct FamilyTotal {
+  std::int64_t regions = 0;
+  std::int64_t checks = 0;
+};
+
+struct ClaimResult {
+  const Claim* claim = nullptr;
+  std::int64_t instances = 0;                       // regions judged
+  std::map<Family, FamilyTotal> totals;
+  nlohmann::ordered_json table = nlohmann::ordered_json::array();
+  double seconds = 0;                               // of judging, summed over threads
+  std::optional<Violation> violation;               // the first in the order of the cases
+  std::optional<RegionCase> violating_region;
+};
+
+struct CampaignResult {
+  std::vector<ClaimResult> claims;
+  std::map<Family, std::int64_t> empty;
+  double study_seconds = 0;  // of exploring, summed over threads
+  bool passed() const;
+};
+
+// Runs the claims on the cases. `threads` 0 means all cores. An exception while a region is studied or judged is a
+// violation of the claim (or of all of them), never lost.
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, int threads, bool quiet);
+
+}  // namespace requad::verify

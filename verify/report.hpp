@@ -1,0 +1,25 @@
+// Reports of a campaign, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "verify/campaign.hpp"
+
+namespace requad::verify {
+
+// What was run, for the report: "digons L=3..24" and so on for the families of a claim.
+std::string range_text(const Ranges& ranges, const std::set<Family>& families);
+
+// {"claims":[{"id","statement","verdict","instances","range","methods","seconds","counterexample","table"},...],
+//  "passed":bool}. A claim without an instance is undecided. Claims without rows of their own have one for each family.
+nlohmann::ordered_json report_json(const CampaignResult& result, const Ranges& ranges);
+
+// A line for each claim, and the violations at the end.
+std::string report_text(const CampaignResult& result, const Ranges& ranges);
+
+// "holds", "fails", "undecided".
+const char* verdict(const ClaimResult& claim);
+
+}  // namespace requad::verify
