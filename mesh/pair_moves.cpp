@@ -1,6 +1,7 @@
 #include "mesh/pair_moves.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 namespace requad::mesh {
@@ -53,7 +54,7 @@ Extents after(const QuadMesh& m, const PairMove& move) {
 // Basic operations in sequence, with the courier's place. After a refusal everything is a no-op until the roll-back.
 class Passage {
  public:
-  Passage(QuadMesh& mesh, MoveReport& report) : m_(mesh), report_(report) {}
+  Passage(QuadMesh& mesh, MoveReport& report, const PairFrame& pair) : m_(mesh), report_(report), changed_{pair.v1, pair.v2} {}
 
   bool refused() const { return report_.refusal != Refusal::none; }
   void refuse(Refusal why) {
@@ -106,14 +107,16 @@ class Passage {
     }
   }
 
-  // One operation, unless it is illegal or changes a valence on the boundary.
+  // One operation, unless it is illegal, changes a valence on the boundary or that of an irregular vertex beside the pair.
   bool run(const BasicOperation& op) {
     if (refused()) return false;
     refuse(why_not(m_, op));
     if (refused()) return false;
     const auto changed = changed_vertices(m_, op);
     for (const VertexId v : changed) {
-      if (v.valid() && m_.is_boundary(v)) refuse(Refusal::touches_boundary);
+      if (!v.valid()) continue;
+      if (m_.is_boundary(v)) refuse(Refusal::touches_boundary);
+      if (m_.face_valence(v) != 4 && changed_.count(v) == 0) refuse(Refusal::irregular_in_the_way);
     }
     if (refused()) return false;
     const Applied done = apply(m_, op);
@@ -122,13 +125,13 @@ class Passage {
     if (op.kind == BasicOperation::Kind::split) report_.faces_made.push_back(QuadMesh::face(done.made));
     if (op.kind == BasicOperation::Kind::collapse) report_.faces_deleted.push_back(QuadMesh::face(op.h));
     for (const VertexId v : changed) {
-      if (v.valid()) changed_.push_back(v);
+      if (v.valid()) changed_.insert(v);
     }
-    if (op.kind == BasicOperation::Kind::split) changed_.push_back(m_.origin(QuadMesh::opposite(done.made)));
+    if (op.kind == BasicOperation::Kind::split) changed_.insert(m_.origin(QuadMesh::opposite(done.made)));
     return true;
   }
 
-  // All that changed, but for the pair itself, must have become regular.
+  // All that changed, but for the pair itself, must be regular in the end.
   void require_regular_except(VertexId p, VertexId q) {
     for (const VertexId v : changed_) {
       if (m_.is_live(v) && v != p && v != q && m_.face_valence(v) != 4) refuse(Refusal::irregular_in_the_way);
@@ -152,7 +155,7 @@ class Passage {
   QuadMesh& m_;
   MoveReport& report_;
   HalfEdgeId at_;
-  std::vector<VertexId> changed_;
+  std::unordered_set<VertexId> changed_;  // what this move may find irregular: the pair, and what it changed itself
 };
 
 // The places of the pair after the move.
@@ -314,7 +317,7 @@ MoveReport move_pair(QuadMesh& m, const PairMove& move) {
     report.refusal = Refusal::no_such_step;
     return report;
   }
-  Passage passage(m, report);
+  Passage passage(m, report, frame);
   Ends ends{};
   switch (move.step) {
     case PairStep::slide_first: ends = slide(m, passage, frame, Hand::left); break;

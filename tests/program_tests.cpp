@@ -1,0 +1,172 @@
+// The programs from outside: exit codes, one clear line for bad input, nothing half written.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string slurp(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+fs::path scratch() {
+  static const fs::path folder = [] {
+    std::string name = (fs::temp_directory_path() / "requad-tests-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    return fs::path(name);
+  }();
+  return folder;
+}
+
+Outcome call(const std::string& program, const std::string& arguments) {
+  const fs::path err = scratch() / "stderr";
+  const std::string command = "cd '" + scratch().string() + "' && '" REQUAD_PROGRAM_DIR "/requad-" + program + "' " + arguments + " 2>'" + err.string() + "'";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  Outcome outcome;
+  char buffer[4096];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.out.append(buffer, n);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.err = slurp(err);
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("help and version", "[programs]") {
+  for (const std::string program : {"enumerate", "verify", "figures"}) {
+    const Outcome help = call(program, "--help");
+    CHECK(help.code == 0);
+    CHECK(help.out.find("Examples:") != std::string::npos);
+    CHECK(help.err.empty());
+    const Outcome version = call(program, "--version");
+    CHECK(version.code == 0);
+    CHECK(version.out.rfind("requad-" + program + " ", 0) == 0);
+  }
+}
+
+TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[programs]") {
+  const std::vector<std::pair<std::string, std::string>> calls{
+      {"enumerate", ""},
+      {"enumerate", "dance"},
+      {"enumerate", "--no-such-option"},
+      {"enumerate", "region"},
+      {"enumerate", "region triangle 1 1 1,1"},
+      {"enumerate", "region digon 1 1 0,1"},                      // zero strips
+      {"enumerate", "region digon 0 0 1,1"},
+      {"enumerate", "region digon -- -1 1 1,1"},
+      {"enumerate", "region digon 1 x 1,1"},
+      {"enumerate", "region digon 1 1 1,1,1"},
+      {"enumerate", "region digon 1 1 1,"},
+      {"enumerate", "region digon 99999999999999999999 1 1,1"},   // overflow
+      {"enumerate", "region digon 9000000000000000000 1 1,1"},
+      {"enumerate", "region digon 900000 900000 1,1"},
+      {"enumerate", "region digon 1 1 1,1 --generator magic"},
+      {"enumerate", "region digon 1 1 1,1 -o /no/such/folder/x.obj"},
+      {"enumerate", "graph --pair 3-3"},
+      {"enumerate", "graph --sides 6,6"},
+      {"enumerate", "graph --sides 6,6 --pair 4-4"},
+      {"enumerate", "graph --sides 6,7 --pair 3-3"},              // odd sum
+      {"enumerate", "graph --sides 6,6,6 --pair 3-3"},
+      {"enumerate", "graph --sides 0,6 --pair 3-3"},
+      {"enumerate", "graph --sides 6,6 --pair 3-3 --format poem"},
+      {"enumerate", "graph --sides 6,6 --pair 3-3 extra"},
+      {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1"},
+      {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 2,1"},
+      {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 7,1"},
+      {"enumerate", "path --sides 5,5,5,5,5,5 --pair 5-5 --from 1,0 --to 0,1,1"},
+      {"verify", "--claim T99"},
+      {"verify", "--digon 2..5"},                                 // L < 3
+      {"verify", "--digon 9..5"},
+      {"verify", "--digon 3..x"},
+      {"verify", "--digon 3..99999999999999999999"},
+      {"verify", "--threads 0"},
+      {"verify", "--method guess"},
+      {"verify", "T2"},
+      {"figures", "--figure 99"},
+      {"figures", "--format bmp"},
+      {"figures", "--side 2"},
+      {"figures", "--pair-region 1,2,3"},
+      {"figures", "--pair-region 0,0,3,3"},
+      {"figures", "-o /dev/null/x"}};
+  for (const auto& [program, arguments] : calls) {
+    INFO("requad-" << program << " " << arguments);
+    const Outcome outcome = call(program, arguments);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(outcome.err.rfind("requad-" + program + ": ", 0) == 0);
+  }
+}
+
+TEST_CASE("requad-enumerate graph: the counts of the theorems", "[programs]") {
+  const auto nodes = [](const std::string& arguments) {
+    const Outcome outcome = call("enumerate", "graph " + arguments);
+    REQUIRE(outcome.code == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["components"] == (json["nodes"].empty() ? 0 : 1));
+    return json["nodes"].size();
+  };
+  CHECK(nodes("--sides 9,9 --pair 3-3 --format json") == 16);          // tau(9) = 4^2
+  CHECK(nodes("--sides 6,6 --pair 3-3") == 6);                         // tau(6) = 3 * 2
+  CHECK(nodes("--sides 6,6 --pair 3-3 --with-apex") == 7);
+  CHECK(nodes("--sides 5,5,5,5,5,5 --pair 5-5") == 12);                // 3 * 2^2
+  CHECK(nodes("--sides 5,4,4,7 --pair 3-5") == 6);                     // M N = 3 * 2
+  CHECK(nodes("--sides 5,9 --pair 3-3") == 4);                         // tau(min)
+  CHECK(nodes("--sides 5,4,5,4 --pair 3-5") == 0);                     // a rectangle
+}
+
+TEST_CASE("requad-enumerate region and path write whole files", "[programs]") {
+  const Outcome made = call("enumerate", "region hexagon 1 2 1,1,2,1,1,1 -o region.obj --json region.json");
+  CHECK(made.code == 0);
+  const auto json = nlohmann::json::parse(slurp(scratch() / "region.json"));
+  CHECK(json["faces"] == 18);
+  const std::string obj = slurp(scratch() / "region.obj");
+  CHECK(std::count(obj.begin(), obj.end(), 'f') >= 18);
+  CHECK(!fs::exists(scratch() / "region.obj.part"));
+  const std::string signature = json["signature"];
+  for (const std::string generator : {"grow", "moves"}) {
+    const Outcome other = call("enumerate", "region hexagon 1 2 1,1,2,1,1,1 --json - --generator " + generator);
+    CHECK(nlohmann::json::parse(other.out)["signature"] == signature);
+  }
+  const Outcome path = call("enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 --json -");
+  CHECK(path.code == 0);
+  CHECK(nlohmann::json::parse(path.out)["path"].size() == 5);
+}
+
+TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
+  const Outcome all = call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..14 --other-perimeter 4..14 --json -");
+  CHECK(all.code == 0);
+  const auto json = nlohmann::json::parse(all.out);
+  CHECK(json["passed"] == true);
+  CHECK(json["claims"].size() == 16);
+  // 3-5 regions of perimeter 4..8 do not exist: T4 is undecided there, never "holds".
+  const Outcome none = call("verify", "--claim T4 --quad-perimeter 4..8 --json -");
+  CHECK(none.code == 3);
+  CHECK(nlohmann::json::parse(none.out)["claims"][0]["verdict"] == "undecided");
+}
+
+TEST_CASE("requad-figures writes what it says", "[programs]") {
+  const Outcome made = call("figures", "-o pictures");
+  CHECK(made.code == 0);
+  for (const std::string number : {"10", "11", "12"}) {
+    CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
+    CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
+  }
+}
