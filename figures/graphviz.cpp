@@ -91,7 +91,8 @@ std::string to_dot(const GridFigure& figure) {
 
 std::string render(const GridFigure& figure, const std::string& format) {
   const GraphPointer graph = build(figure);
-  const std::unique_ptr<GVC_t, int (*)(GVC_t*)> context(gvContext(), gvFreeContext);
+  // One context for the whole process: libgvc keeps pointers into the first one that outlive it.
+  static const std::unique_ptr<GVC_t, int (*)(GVC_t*)> context(gvContext(), gvFreeContext);
   if (gvLayout(context.get(), graph.get(), "nop2") != 0) throw std::runtime_error("Graphviz can not lay out the figure");
   char* data = nullptr;
   unsigned int size = 0;
