@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 
 namespace requad::mesh {
 
@@ -60,6 +62,23 @@ std::string signature(const QuadMesh& m, HalfEdgeId root, Orientation orientatio
     }
   }
   return text;
+}
+
+std::string canonical_signature(const QuadMesh& m, Orientation orientation) {
+  using KindOfVertex = std::pair<bool, int>;
+  const auto kind = [&m](VertexId v) { return KindOfVertex{m.is_boundary(v), m.face_valence(v)}; };
+  std::map<KindOfVertex, int> count;
+  for (const VertexId v : m.vertices()) ++count[kind(v)];
+  if (count.empty()) return "";
+  const auto rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  std::string least;
+  for (const HalfEdgeId h : m.half_edges()) {
+    // Mirrored, a half-edge leaves what was its target: corresponding roots must be cut alike.
+    if (kind(orientation == Orientation::kept ? m.origin(h) : m.target(h)) != rarest) continue;
+    std::string text = signature(m, h, orientation);
+    if (least.empty() || text < least) least = std::move(text);
+  }
+  return least;
 }
 
 Region from_signature(std::string_view text) {

@@ -25,6 +25,11 @@ enum class Orientation { kept, mirrored };
 std::string signature(const QuadMesh& mesh, HalfEdgeId root, Orientation orientation = Orientation::kept);
 inline std::string signature(const Region& region) { return signature(region.mesh, region.root); }
 
+// The least rooted signature of a connected mesh: equal iff the meshes are isomorphic (by an orientation-preserving map,
+// or, mirrored, to the reflected mesh). Roots are cut to the half-edges out of the vertices of one kind, the rarest of
+// (boundary or interior, valence), the least such kind among equals. O(F) for each root.
+std::string canonical_signature(const QuadMesh& mesh, Orientation orientation = Orientation::kept);
+
 // The mesh of a signature, rooted at half-edge 0. Throws MeshError if the text is no signature of a valid mesh. O(F log F).
 Region from_signature(std::string_view text);
 
