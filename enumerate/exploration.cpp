@@ -1,6 +1,9 @@
 #include "enumerate/exploration.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -15,17 +18,50 @@ using theory::PairType;
 
 namespace {
 
-std::vector<PairMove> moves_of(const FoundNode& node) {
-  const auto& v = node.reading.irregular;
-  return v.size() == 1 ? mesh::parting_moves(node.region.mesh, v[0]) : mesh::pair_moves(node.region.mesh, v[0], v[1]);
-}
-
 std::optional<theory::Configuration> labelling(const Region& region, PairType type, const mesh::PairFrame& frame) {
   if (frame.v1 == frame.v2) return read(region, type).configuration;
   return labelling_of(region, mesh::boundary_positions(region), type, frame);
 }
 
+// Every move of one node; new configurations become nodes by node_index.
+void explore_node(Exploration& found, std::size_t i, const std::function<int(const Region&)>& node_index) {
+  const PairType type = found.type;
+  if (!found.nodes[i].reading.problem.empty()) return;  // the caller sees the problem; there is nothing to move
+  for (const PairMove& move : moves_of(found.nodes[i].region, found.nodes[i].reading)) {
+    FoundMove result;
+    result.from = static_cast<int>(i);
+    result.move = move;
+    const Region& before = found.nodes[i].region;
+    result.before = labelling(before, type, move.frame);
+    Region work = before;
+    mesh::MoveReport report = mesh::move_pair(work.mesh, move);
+    result.refusal = report.refusal;
+    if (report.refusal != mesh::Refusal::none) {
+      result.refused_unchanged = work.mesh == before.mesh;
+      found.moves.push_back(std::move(result));
+      continue;
+    }
+    result.operations = static_cast<int>(report.operations.size());
+    result.faces_made = static_cast<int>(report.faces_made.size());
+    result.faces_deleted = static_cast<int>(report.faces_deleted.size());
+    result.after = labelling(work, type, report.inverse.frame);
+    Region back = work;
+    result.inverse_returns = mesh::move_pair(back.mesh, report.inverse).refusal == mesh::Refusal::none &&
+                             mesh::signature(back) == found.nodes[i].signature;
+    Region undone = work;
+    result.restored = mesh::apply_all(undone.mesh, report.undo) == mesh::Refusal::none && undone.mesh == before.mesh;
+    result.script = std::move(report.operations);
+    result.to = node_index(work);  // may move found.nodes: no reference into it is used from here on
+    found.moves.push_back(std::move(result));
+  }
+}
+
 }  // namespace
+
+std::vector<PairMove> moves_of(const Region& region, const Reading& reading) {
+  const auto& v = reading.irregular;
+  return v.size() == 1 ? mesh::parting_moves(region.mesh, v[0]) : mesh::pair_moves(region.mesh, v[0], v[1]);
+}
 
 Exploration explore(PairType type, const std::vector<Region>& starts) {
   Exploration found{type, {}, {}};
@@ -35,39 +71,41 @@ Exploration explore(PairType type, const std::vector<Region>& starts) {
     if (is_new) found.nodes.push_back({region, it->first, read(region, type)});
     return it->second;
   };
-  for (const Region& start : starts) node_index(start);
-  for (std::size_t i = 0; i < found.nodes.size(); ++i) {
-    if (!found.nodes[i].reading.problem.empty()) continue;  // the caller sees the problem; there is nothing to move
-    for (const PairMove& move : moves_of(found.nodes[i])) {
-      FoundMove result;
-      result.from = static_cast<int>(i);
-      result.move = move;
-      const Region& before = found.nodes[i].region;
-      if (const auto label = labelling(before, type, move.frame)) result.before = *label;
-      Region work = before;
-      mesh::MoveReport report = mesh::move_pair(work.mesh, move);
-      result.refusal = report.refusal;
-      if (report.refusal != mesh::Refusal::none) {
-        result.refused_unchanged = work.mesh == before.mesh;
-        found.moves.push_back(std::move(result));
-        continue;
-      }
-      result.operations = static_cast<int>(report.operations.size());
-      result.faces_made = static_cast<int>(report.faces_made.size());
-      result.faces_deleted = static_cast<int>(report.faces_deleted.size());
-      if (const auto label = labelling(work, type, report.inverse.frame)) result.after = *label;
-      Region back = work;
-      result.inverse_returns = mesh::move_pair(back.mesh, report.inverse).refusal == mesh::Refusal::none &&
-                               mesh::signature(back) == found.nodes[i].signature;
-      Region undone = work;
-      result.restored = mesh::apply_all(undone.mesh, report.undo) == mesh::Refusal::none && undone.mesh == before.mesh;
-      result.script = std::move(report.operations);
-      result.to = node_index(work);  // may move found.nodes: no reference into it is used from here on
-      found.moves.push_back(std::move(result));
-    }
+  std::size_t i = 0;  // nodes before i are explored
+  const auto explore_new_nodes = [&] {
+    for (; i < found.nodes.size(); ++i) explore_node(found, i, node_index);
+  };
+  for (const Region& start : starts) {
+    node_index(start);
+    explore_new_nodes();
   }
   return found;
 }
+namespace {
+
+// Nodes in the order of their configurations, the merged ones last.
+void sort_nodes(Exploration& found) {
+  std::vector<int> order(found.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&found](int a, int b) {
+    const auto& x = found.nodes[static_cast<std::size_t>(a)].reading.configuration;
+    const auto& y = found.nodes[static_cast<std::size_t>(b)].reading.configuration;
+    return x.merged() != y.merged() ? y.merged() : x < y;
+  });
+  std::vector<int> place(order.size());
+  std::vector<FoundNode> nodes;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    nodes.push_back(std::move(found.nodes[static_cast<std::size_t>(order[i])]));
+  }
+  found.nodes = std::move(nodes);
+  for (FoundMove& move : found.moves) {
+    move.from = place[static_cast<std::size_t>(move.from)];
+    if (move.to >= 0) move.to = place[static_cast<std::size_t>(move.to)];
+  }
+}
+
+}  // namespace
 
 Exploration explore_all(PairType type, const theory::IntegerVector& sides, theory::Apex apex) {
   std::vector<Region> starts;
@@ -75,7 +113,9 @@ Exploration explore_all(PairType type, const theory::IntegerVector& sides, theor
   if (apex == theory::Apex::with) {
     for (const auto& c : theory::merged_configurations(type, sides)) starts.push_back(glue_region(type, c));
   }
-  return explore(type, starts);
+  Exploration found = explore(type, starts);
+  sort_nodes(found);
+  return found;
 }
 
 theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex, std::vector<int>* node_of) {
@@ -100,7 +140,6 @@ theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex ap
     if (from > to) continue;
     const auto back = count.find({to, from});
     if (from != to && (back == count.end() || back->second != number)) {
-      // Where three or more directions at the merged vertex give one configuration, they are one edge.
       throw std::logic_error("moves between two configurations do not pair up");
     }
     if (from == to && number % 2 != 0) throw std::logic_error("moves of a configuration to itself do not pair up");

@@ -5,6 +5,7 @@
 // each it tries every move that pair_moves() or parting_moves() lists. Labels are read off each mesh (labels.hpp).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct FoundMove {
   int from = -1;
   int to = -1;                        // -1: refused
   mesh::PairMove move;                // on nodes[from].region
-  theory::Configuration before;       // the labelling of move.frame
-  theory::Configuration after;        // the labelling of the frame that the move reports; if refused, not set
+  std::optional<theory::Configuration> before;  // the labelling of move.frame; nothing if it can not be read
+  std::optional<theory::Configuration> after;   // the labelling of the frame that the move reports; nothing if refused
   mesh::Refusal refusal = mesh::Refusal::none;
   int operations = 0;
   int faces_made = 0;
@@ -36,6 +37,9 @@ struct FoundMove {
   std::vector<mesh::BasicOperation> script;
 };
 
+// The moves that the pair, or the merged vertex, of a region could make if there were room.
+std::vector<mesh::PairMove> moves_of(const mesh::Region& region, const Reading& reading);
+
 struct Exploration {
   theory::PairType type;
   std::vector<FoundNode> nodes;
@@ -44,10 +48,12 @@ struct Exploration {
   bool holds_pair(int node) const { return !nodes[static_cast<std::size_t>(node)].reading.configuration.merged(); }
 };
 
-// The first nodes are the starts, in their order (equal ones once). Precondition: region_problem(start) is "". A node in
+// The first start is explored to the end; a further one becomes a node only if it was not reached, and is explored then. Precondition: region_problem(start) is "". A node in
 // whose region read() finds a problem is kept, with the problem, and not moved. O(nodes * moves * mesh).
 Exploration explore(theory::PairType type, const std::vector<mesh::Region>& starts);
-// From every configuration of parameter_set(), glued, and the merged ones if apex says so. Throws as parameter_set().
+// From the first configuration of parameter_set(), glued, and from whatever moves did not reach of the others (the merged
+// ones too if apex says so), so that nothing is missing even if the graph were not connected. Nodes are sorted by
+// configuration, merged ones last. Throws as parameter_set().
 Exploration explore_all(theory::PairType type, const theory::IntegerVector& sides, theory::Apex apex);
 
 // The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n

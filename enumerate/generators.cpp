@@ -24,7 +24,7 @@ void require(PairType type, const Configuration& c) {
   if (const std::string problem = theory::parameters_problem(type, p); !problem.empty()) throw std::invalid_argument(problem);
   // The face count must fit a half-edge index; lengths up to kMaxLength alone do not ensure that.
   const Integer faces = theory::PairSystem(type).face_count(c.parameters);
-  if (faces > 200'000'000) throw std::invalid_argument("the region would have " + std::to_string(faces) + " quads");
+  if (faces > 20'000'000) throw std::invalid_argument("the region would have " + std::to_string(faces) + " quads, more than the 20 million that are made here");
 }
 
 // The label of which side 1 of the region is.

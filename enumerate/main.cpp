@@ -1,48 +1,61 @@
 // requad-enumerate: regions, configuration graphs and paths of moves.
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 
-#include <boost/program_options.hpp>
 #include <nlohmann/json.hpp>
 
 #include "enumerate/generators.hpp"
 #include "enumerate/graph_output.hpp"
+#include "enumerate/options.hpp"
 #include "enumerate/realisation.hpp"
+#include "enumerate/search.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/program.hpp"
 #include "mesh/signature.hpp"
+#include "mesh/validate.hpp"
 #include "theory/counts.hpp"
 
 namespace {
 
-namespace po = boost::program_options;
 using namespace requad;
 using nlohmann::ordered_json;
+using program::Options;
 using program::UsageError;
 using theory::Configuration;
 using theory::IntegerVector;
 using theory::PairType;
 
-constexpr const char* kHelp = R"(requad-enumerate: regions of quad meshes that hold a pair of irregular vertices
+constexpr const char* kHelp = R"(requad-enumerate: regions of quad meshes, their irregular vertices, and all their fillings
 
   requad-enumerate region digon|hexagon|quad D1 D2 E1,E2,... [-o FILE.obj]
       the region with these separatrix-strip parameters: R_alpha is a D1 x D2 grid, E1,E2,... are the strip counts
       (2 for a digon with a 3-3 pair, 6 for a hexagon with a 5-5 pair, 4 for a quadrilateral with a 3-5 pair)
       --generator glue|grow|moves   how it is made; all three give the same mesh (default glue)
-  requad-enumerate graph --sides S1,S2,... --pair 3-3|5-5|3-5 [--with-apex] [--format json|dot|graphml]
-      the configuration graph of a region, found by pair moves; --with-apex adds the merged configuration
+  requad-enumerate graph --sides S1,S2,... --pair 3-3|5-5|3-5 [--with-apex] [--format json|dot|graphml] [-o FILE]
+      the configuration graph of a region, explored by pair moves; --with-apex adds the merged configuration
   requad-enumerate path --sides S1,S2,... --pair P --from M,N[,P] --to M,N[,P] [-o FILE.obj]
       a shortest script of pair moves between two configurations, and the mesh it makes;
       labels are (d1,d2), for a hexagon (d1,d2,p), for a 3-5 pair (m,n) as in Theorem 7.4; 0,0 is the merged vertex
+  requad-enumerate search --sides S1,S2,... --irregular L1,L2,... [--list] [--limit-seconds S] [--max-faces F]
+      every filling of a boundary whose interior irregular valences are exactly these, by exhaustive search;
+      --interior-quads Q1,Q2,... instead of --sides gives the number of quads at each boundary vertex;
+      --irregular '' asks for regular grids; --list prints a signature for each filling
+  requad-enumerate sphere --irregular L1,L2,... --vertices A..B [--list] [--limit-seconds S]
+      all closed quad spheres with these irregular valences, up to isomorphism
+  requad-enumerate signature --from-signature TEXT [-o FILE.obj]
+      checks a signature, and draws the region that it names
 
 Common options: --json FILE|-   -o FILE|-   --quiet   --threads N   --help   --version
-Sides are read counter-clockwise. Exit code: 0 done, 1 a check failed, 2 bad arguments.
+Sides are read counter-clockwise. Exit code: 0 done, 1 a check failed, 2 bad arguments, 3 a limit was reached.
 
 Examples:
   requad-enumerate region digon 2 1 3,2 -o region.obj
   requad-enumerate graph --sides 9,9 --pair 3-3 --format dot -o grid.dot
   requad-enumerate path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o result.obj
+  requad-enumerate search --sides 6,6,6 --irregular 3,3,5
+  requad-enumerate sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..20
 )";
 
 IntegerVector to_vector(const std::vector<std::int64_t>& values) {
@@ -72,7 +85,7 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
   const std::vector<std::int64_t> at = program::parse_integers(text, option);
   const bool third = type.symmetric() && type.rotation_count() > 1;
   const bool merged = type.symmetric() && at.size() >= 2 && at[0] == 0 && at[1] == 0;
-  if (at.size() != (third && !merged ? 3U : 2U)) {
+  if (at.size() != (third ? 3U : 2U) && !(merged && at.size() == 2)) {
     throw UsageError(std::string(option) + ": '" + text + "' is not of the form " + (third ? "d1,d2,p" : type.symmetric() ? "d1,d2" : "m,n"));
   }
   std::vector<Configuration> all = theory::parameter_set(type, sides);
@@ -88,36 +101,49 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
   throw UsageError(std::string(option) + ": (" + text + ") is no configuration of this region");
 }
 
-IntegerVector required_sides(const po::variables_map& options, PairType type) {
-  if (options.count("sides") == 0) throw UsageError("--sides is missing; expected side lengths as in --sides 9,9");
-  IntegerVector sides = to_vector(program::parse_integers(options["sides"].as<std::string>(), "--sides"));
+IntegerVector required_sides(const Options& options, PairType type) {
+  if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 9,9");
+  IntegerVector sides = to_vector(program::parse_integers(options.text("sides"), "--sides"));
   if (const std::string problem = theory::sides_problem(type, sides); !problem.empty()) throw UsageError("--sides: " + problem);
+  // What exploring would keep in memory: every configuration's mesh.
+  constexpr double kMostQuads = 2e8;
+  const auto longest = static_cast<double>(sides.maxCoeff());
+  const double area = longest * longest / 2;
+  const double configurations = longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
+  if (area * std::max(configurations, 1.0) > kMostQuads) {
+    throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) + " configurations of some " +
+                     std::to_string(static_cast<std::int64_t>(area)) + " quads are more than this command keeps in memory");
+  }
   return sides;
 }
 
-PairType required_pair(const po::variables_map& options) {
-  if (options.count("pair") == 0) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
-  return parse_pair(options["pair"].as<std::string>());
+PairType required_pair(const Options& options) {
+  if (!options.has("pair")) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
+  return parse_pair(options.text("pair"));
 }
 
-void finish(const po::variables_map& options, const ordered_json& summary, const std::string& text) {
-  if (options.count("json") != 0) {
-    program::write_text(options["json"].as<std::string>(), summary.dump() + "\n");
-  }
-  const bool stdout_taken = (options.count("json") != 0 && options["json"].as<std::string>() == "-") ||
-                            (options.count("output") != 0 && options["output"].as<std::string>() == "-");
-  if (!stdout_taken && options.count("quiet") == 0) std::cout << text;
+// The JSON where it was asked for, the text on standard output unless that is taken.
+void finish(const Options& options, const ordered_json& summary, const std::string& text) {
+  options.one_on_stdout({"json", "output"});
+  if (options.has("json")) program::write_text(options.text("json"), summary.dump() + "\n");
+  if (!options.on_stdout("json") && !options.on_stdout("output") && !options.quiet()) std::cout << text;
 }
 
-std::vector<int> as_ints(const IntegerVector& v) {
+std::vector<int> as_ints(const IntegerVector& v) { return {v.begin(), v.end()}; }
+
+std::vector<int> as_ints(const std::vector<std::int64_t>& values, const char* what) {
   std::vector<int> result;
-  for (const auto x : v) result.push_back(static_cast<int>(x));
+  for (const std::int64_t x : values) {
+    if (x < 0 || x > 100'000) throw UsageError(std::string(what) + ": " + std::to_string(x) + " is not in 0..100000");
+    result.push_back(static_cast<int>(x));
+  }
   return result;
 }
 
 // --- region ----------------------------------------------------------------------------------------------------------
 
-int region(const po::variables_map& options, const std::vector<std::string>& words) {
+int region(const Options& options, const std::vector<std::string>& words) {
+  options.allow_only("region", {"output", "generator"});
   if (words.size() != 4) throw UsageError("region: expected digon|hexagon|quad D1 D2 E1,E2,...");
   const PairType type = parse_shape(words[0]);
   Configuration c;
@@ -127,7 +153,7 @@ int region(const po::variables_map& options, const std::vector<std::string>& wor
     throw UsageError("region: " + problem);
   }
   const IntegerVector sides = theory::region_sides(type, c);
-  const std::string generator = options["generator"].as<std::string>();
+  const std::string generator = options.text("generator", "glue");
   mesh::Region made;
   if (generator == "glue") {
     made = enumerate::glue_region(type, c);
@@ -138,8 +164,8 @@ int region(const po::variables_map& options, const std::vector<std::string>& wor
   } else {
     throw UsageError("--generator: '" + generator + "' is not one of glue, grow, moves");
   }
-  if (options.count("output") != 0) {
-    mesh::save_region(options["output"].as<std::string>(), made,
+  if (options.has("output")) {
+    mesh::save_region(options.text("output"), made,
                       {"region with a " + type.name() + " pair, parameters " + words[1] + " " + words[2] + " " + words[3]});
   }
   const std::string signature = mesh::signature(made);
@@ -156,40 +182,41 @@ int region(const po::variables_map& options, const std::vector<std::string>& wor
 
 // --- graph -----------------------------------------------------------------------------------------------------------
 
-int graph(const po::variables_map& options) {
+int graph(const Options& options) {
+  options.allow_only("graph", {"sides", "pair", "with-apex", "format", "output"});
   const PairType type = required_pair(options);
   const IntegerVector sides = required_sides(options, type);
-  const theory::Apex apex = options.count("with-apex") != 0 ? theory::Apex::with : theory::Apex::without;
-  const std::string format = options["format"].as<std::string>();
+  const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
+  const std::string format = options.text("format", "json");
   if (format != "json" && format != "dot" && format != "graphml") {
     throw UsageError("--format: '" + format + "' is not one of json, dot, graphml");
   }
+  options.one_on_stdout({"json", "output"});
   const enumerate::Exploration found = enumerate::explore_all(type, sides, apex);
-  std::string text;
-  if (format == "json") text = enumerate::graph_json(found, apex).dump() + "\n";
-  if (format == "dot") text = enumerate::graph_dot(found, apex);
-  if (format == "graphml") text = enumerate::graph_graphml(found, apex);
-  if (options.count("json") != 0) {
-    program::write_text(options["json"].as<std::string>(), enumerate::graph_json(found, apex).dump() + "\n");
-    if (options["json"].as<std::string>() == "-") return program::kDone;
+  if (options.has("json")) program::write_text(options.text("json"), enumerate::graph_json(found, apex).dump() + "\n");
+  if (options.has("output") || !options.on_stdout("json")) {
+    const std::string text = format == "dot"       ? enumerate::graph_dot(found, apex)
+                             : format == "graphml" ? enumerate::graph_graphml(found, apex)
+                                                   : enumerate::graph_json(found, apex).dump() + "\n";
+    program::write_text(options.text("output", "-"), text);
   }
-  program::write_text(options.count("output") != 0 ? options["output"].as<std::string>() : "-", text);
   return program::kDone;
 }
 
 // --- path ------------------------------------------------------------------------------------------------------------
 
-int path(const po::variables_map& options) {
+int path(const Options& options) {
+  options.allow_only("path", {"sides", "pair", "from", "to", "output"});
   const PairType type = required_pair(options);
   const IntegerVector sides = required_sides(options, type);
   for (const char* end : {"from", "to"}) {
-    if (options.count(end) == 0) throw UsageError(std::string("--") + end + " is missing; expected a label as in --" + end + " 1,1");
+    if (!options.has(end)) throw UsageError(std::string("--") + end + " is missing; expected a label as in --" + end + " 1,1");
   }
-  const Configuration from = find_configuration(type, sides, options["from"].as<std::string>(), "--from");
-  const Configuration to = find_configuration(type, sides, options["to"].as<std::string>(), "--to");
+  const Configuration from = find_configuration(type, sides, options.text("from"), "--from");
+  const Configuration to = find_configuration(type, sides, options.text("to"), "--to");
   const enumerate::Realisation made = enumerate::realise(type, sides, from, to);
-  if (options.count("output") != 0) {
-    mesh::save_region(options["output"].as<std::string>(), made.region, {theory::label(type, to) + " reached from " + theory::label(type, from)});
+  if (options.has("output")) {
+    mesh::save_region(options.text("output"), made.region, {theory::label(type, to) + " reached from " + theory::label(type, from)});
   }
   ordered_json json{{"sides", as_ints(sides)}, {"pair", type.name()}, {"path", ordered_json::array()},
                     {"moves", ordered_json::array()}, {"operations", ordered_json::array()},
@@ -213,42 +240,134 @@ int path(const po::variables_map& options) {
   return program::kDone;
 }
 
+// --- search ----------------------------------------------------------------------------------------------------------
+
+std::vector<int> irregular_valences(const Options& options) {
+  if (!options.has("irregular")) throw UsageError("--irregular is missing; expected valences as in --irregular 3,3,5, or '' for none");
+  const std::string text = options.text("irregular");
+  return text.empty() ? std::vector<int>{} : as_ints(program::parse_integers(text, "--irregular"), "--irregular");
+}
+
+enumerate::SearchLimits search_limits(const Options& options) {
+  enumerate::SearchLimits limits;
+  limits.threads = options.threads();
+  if (options.has("limit-seconds")) limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));
+  if (options.has("max-faces")) limits.faces = static_cast<int>(options.integer("max-faces", 0, 1, enumerate::kMostFaces));
+  return limits;
+}
+
+std::string lines_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+int search(const Options& options) {
+  options.allow_only("search", {"sides", "interior-quads", "irregular", "list", "limit-seconds", "max-faces"});
+  if (options.has("sides") == options.has("interior-quads")) throw UsageError("search: expected either --sides or --interior-quads");
+  enumerate::SearchProblem problem{{}, irregular_valences(options)};
+  std::vector<int> sides;
+  if (options.has("sides")) {
+    sides = as_ints(program::parse_integers(options.text("sides"), "--sides"), "--sides");
+    for (const int side : sides) {
+      if (side < 1) throw UsageError("--sides: side " + std::to_string(side) + " is below 1");
+    }
+    problem = enumerate::search_problem(sides, std::move(problem.irregular));
+  } else {
+    problem.interior_quads = as_ints(program::parse_integers(options.text("interior-quads"), "--interior-quads"), "--interior-quads");
+  }
+  if (const std::string what = enumerate::problem_with(problem); !what.empty()) throw UsageError("search: " + what);
+  const enumerate::SearchLimits limits = search_limits(options);
+  if (enumerate::may_be_infinite(problem) && !limits.faces && !limits.seconds) {
+    throw UsageError("search: these valences can close a tube of any length, so there may be infinitely many fillings; give --max-faces or --limit-seconds");
+  }
+  const enumerate::CountedSearch found = enumerate::count_fillings(problem, limits, options.has("list"));
+  const bool complete = found.outcome.complete();
+
+  ordered_json json{{"sides", sides}, {"irregular", problem.irregular}};
+  if (!options.has("sides")) json["interior_quads"] = problem.interior_quads;
+  // A limit gives no count, only a lower bound; up to a face limit the numbers by faces are exact all the same.
+  json["count"] = complete ? ordered_json(found.outcome.count) : ordered_json(nullptr);
+  if (!complete) json["at_least"] = found.outcome.count;
+  json["complete"] = complete;
+  json["by_faces"] = ordered_json::object();
+  for (const auto& [faces, count] : found.outcome.by_faces) json["by_faces"][std::to_string(faces)] = count;
+  json["orbits"] = complete ? ordered_json{{"rotations", found.orbits.rotations}, {"reflections", found.orbits.reflections}} : ordered_json(nullptr);
+  json["states"] = found.outcome.states;
+  if (options.has("list")) json["fillings"] = found.signatures;
+
+  std::string text = complete ? "count " + std::to_string(found.outcome.count) + "\n"
+                              : "undecided: at least " + std::to_string(found.outcome.count) + "\n";
+  for (const auto& [faces, count] : found.outcome.by_faces) text += std::to_string(faces) + " faces: " + std::to_string(count) + "\n";
+  if (complete) {
+    text += "up to rotations " + std::to_string(found.orbits.rotations) + ", and reflections " + std::to_string(found.orbits.reflections) + "\n";
+  }
+  finish(options, json, text + lines_of(found.signatures));
+  return complete ? program::kDone : program::kUndecided;
+}
+
+int sphere(const Options& options) {
+  options.allow_only("sphere", {"irregular", "vertices", "list", "limit-seconds"});
+  if (!options.has("vertices")) throw UsageError("--vertices is missing; expected a range as in --vertices 8..20");
+  const program::Range range = program::parse_range(options.text("vertices"), "--vertices");
+  if (range.first < 4 || range.last > enumerate::kMostFaces) {
+    throw UsageError("--vertices: " + options.text("vertices") + " is not within 4.." + std::to_string(enumerate::kMostFaces));
+  }
+  const std::vector<int> irregular = irregular_valences(options);
+  const enumerate::SphereOutcome found = enumerate::search_spheres(irregular, static_cast<int>(range.last), search_limits(options));
+  const auto in_range = [&](const std::map<int, std::int64_t>& counts) {
+    ordered_json json = ordered_json::object();
+    for (auto v = range.first; v <= range.last; ++v) {
+      const auto it = counts.find(static_cast<int>(v));
+      json[std::to_string(v)] = it == counts.end() ? 0 : it->second;
+    }
+    return json;
+  };
+  const ordered_json counts = in_range(found.counts), oriented = in_range(found.oriented_counts);
+  ordered_json json{{"irregular", irregular}, {"counts", counts}, {"oriented_counts", oriented}, {"complete", found.complete}, {"states", found.states}};
+  if (!found.complete) json["counts"] = nullptr, json["oriented_counts"] = nullptr, json["at_least"] = counts;
+  if (options.has("list")) json["spheres"] = found.signatures;
+  std::string text = found.complete ? "" : "undecided: at least\n";
+  for (const auto& [v, count] : counts.items()) {
+    text += v + " vertices: " + count.dump() + " (" + oriented[v].dump() + " if mirror images differ)\n";
+  }
+  finish(options, json, options.has("list") ? text + lines_of(found.signatures) : text);
+  return found.complete ? program::kDone : program::kUndecided;
+}
+
+int signature(const Options& options) {
+  options.allow_only("signature", {"from-signature", "output"});
+  if (!options.has("from-signature")) throw UsageError("signature: --from-signature is missing");
+  const mesh::Region rebuilt = mesh::from_signature(options.text("from-signature"));
+  const bool open = mesh::boundary_loop_count(rebuilt.mesh) > 0;
+  if (options.has("output")) {
+    if (const std::string problem = mesh::region_problem(rebuilt); !problem.empty()) throw UsageError("signature: no drawing, since " + problem);
+    mesh::save_region(options.text("output"), rebuilt, {"rebuilt from its signature"});
+  }
+  const std::string canonical = std::min(mesh::canonical_signature(rebuilt.mesh), mesh::canonical_signature(rebuilt.mesh, mesh::Orientation::mirrored));
+  finish(options, {{"vertices", rebuilt.mesh.vertex_count()}, {"faces", rebuilt.mesh.face_count()}, {"closed", !open}, {"canonical", canonical}},
+         "vertices " + std::to_string(rebuilt.mesh.vertex_count()) + "\nfaces " + std::to_string(rebuilt.mesh.face_count()) + "\ncanonical " + canonical + "\n");
+  return program::kDone;
+}
+
 int main_body(int argc, char** argv) {
-  po::options_description visible;
-  visible.add_options()("help,h", "")("version", "")("quiet,q", "")("json", po::value<std::string>())("threads", po::value<std::string>())(
-      "output,o", po::value<std::string>())("generator", po::value<std::string>()->default_value("glue"))("sides", po::value<std::string>())(
-      "pair", po::value<std::string>())("with-apex", "")("format", po::value<std::string>()->default_value("json"))(
-      "from", po::value<std::string>())("to", po::value<std::string>());
-  po::options_description all;
-  all.add(visible).add_options()("words", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("words", -1);
-  po::variables_map options;
-  try {
-    using Style = po::command_line_style::style_t;
-    // No guessing of abbreviated options.
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                  .style(Style::unix_style & ~Style::allow_guessing).run(), options);
-  } catch (const po::error& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
-  if (options.count("help") != 0) {
-    std::cout << kHelp;
-    return program::kDone;
-  }
-  if (options.count("version") != 0) {
-    std::cout << "requad-enumerate " REQUAD_VERSION "\n";
-    return program::kDone;
-  }
-  if (options.count("words") == 0) throw UsageError("expected one of region, graph, path; see --help");
-  std::vector<std::string> words = options["words"].as<std::vector<std::string>>();
+  const Options options(argc, argv, {{"with-apex", "list"},
+                                     {"output,o", "generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
+                                      "vertices", "limit-seconds", "max-faces", "from-signature"},
+                                     {}});
+  if (program::answered(options, "requad-enumerate", REQUAD_VERSION, kHelp)) return program::kDone;
+  std::vector<std::string> words = options.words();
+  if (words.empty()) throw UsageError("expected one of region, graph, path, search, sphere, signature; see --help");
   const std::string command = words.front();
   words.erase(words.begin());
   if (command == "region") return region(options, words);
   if (!words.empty()) throw UsageError(command + ": unexpected argument '" + words.front() + "'; see --help");
   if (command == "graph") return graph(options);
   if (command == "path") return path(options);
-  throw UsageError("'" + command + "' is not one of region, graph, path; see --help");
+  if (command == "search") return search(options);
+  if (command == "sphere") return sphere(options);
+  if (command == "signature") return signature(options);
+  throw UsageError("'" + command + "' is not one of region, graph, path, search, sphere, signature; see --help");
 }
 
 }  // namespace

@@ -59,10 +59,8 @@ Realisation realise(PairType type, const IntegerVector& sides, const Configurati
     if (!result.path.empty()) {
       // Try the moves of the pair as it now lies, and keep the one after which the mesh reads as the next node.
       const Reading here = read(result.region, type);
-      const auto moves = here.irregular.size() == 1 ? mesh::parting_moves(result.region.mesh, here.irregular[0])
-                                                    : mesh::pair_moves(result.region.mesh, here.irregular[0], here.irregular[1]);
       bool made = false;
-      for (const mesh::PairMove& move : moves) {
+      for (const mesh::PairMove& move : moves_of(result.region, here)) {
         const mesh::MoveReport report = mesh::move_pair(result.region.mesh, move);
         if (report.refusal != mesh::Refusal::none) continue;
         if (read(result.region, type).configuration == next) {

@@ -75,7 +75,7 @@ class Budget {
 
 // What the branches of one search share.
 struct Shared {
-  std::optional<int> face_limit;
+  int face_limit = kMostFaces;
   std::optional<Clock::time_point> deadline;
   std::atomic<bool> stop{false};
   std::atomic<bool> face_limit_cut{false};
@@ -198,7 +198,7 @@ class Filler {
   // Valences for the new ones of x and y: 4, or one of the budget.
   void choose_valences(const Chain& c, int x, int y) {
     if (x != kNew && y != kNew && y != x + 1 && adjacent(at(c, x).vertex, at(c, y).vertex)) return;
-    if (shared_->face_limit && static_cast<int>(faces_.size()) >= *shared_->face_limit) {
+    if (static_cast<int>(faces_.size()) >= shared_->face_limit) {
       shared_->face_limit_cut = true;
       return;
     }
@@ -346,12 +346,11 @@ class Filler {
   }
 
   bool face_limit_allows(int list) {
-    if (!shared_->face_limit) return true;
     int least = static_cast<int>(faces_.size());
     for (int hole = list; hole >= 0; hole = holes_[static_cast<std::size_t>(hole)].next) {
       least += std::max(holes_[static_cast<std::size_t>(hole)].length / 2 - 1, 1);
     }
-    if (least <= *shared_->face_limit) return true;
+    if (least <= shared_->face_limit) return true;
     shared_->face_limit_cut = true;
     return false;
   }
@@ -391,7 +390,7 @@ std::int64_t run_parallel(const Filler& start, int hole, int faces_before, int t
 }
 
 void set_limits(Shared& shared, const SearchLimits& limits) {
-  shared.face_limit = limits.faces;
+  shared.face_limit = std::min(limits.faces.value_or(kMostFaces), kMostFaces);
   if (limits.seconds) shared.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limits.seconds));
 }
 
@@ -515,7 +514,7 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
 
   Shared shared;
   set_limits(shared, limits);
-  shared.face_limit = vertices - 2;
+  shared.face_limit = std::min(vertices - 2, kMostFaces);
   // One quad 0 1 2 3 with the rarest valence at 0; the hole is the outside, so its boundary runs 0 3 2 1. All valences
   // of the other corners are tried.
   std::vector<int> choices{4};

@@ -43,8 +43,11 @@ std::string problem_with(const SearchProblem& problem);
 // True if the number of fillings can be infinite, so that a search without a face limit may not end.
 bool may_be_infinite(const SearchProblem& problem);
 
+// Branches are followed by recursion, a quad a level: no search looks for fillings of more faces than this.
+inline constexpr int kMostFaces = 1500;
+
 struct SearchLimits {
-  std::optional<int> faces;         // fillings with more faces are not looked for
+  std::optional<int> faces;         // fillings with more faces are not looked for; at most kMostFaces
   std::optional<double> seconds;
   int threads = 0;                  // 0: all cores
 };

@@ -47,8 +47,8 @@ void add_grid(GridFigure& figure, const Exploration& found, const std::string& p
   std::set<std::pair<int, int>> drawn;
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
-    const auto from = node_at.find(key(place(move.before)));
-    const auto to = node_at.find(key(place(move.after)));
+    const auto from = node_at.find(key(place(move.before.value())));
+    const auto to = node_at.find(key(place(move.after.value())));
     if (from == node_at.end() || to == node_at.end()) throw std::logic_error("a move leaves the grid");
     const std::pair<int, int> ends = std::minmax(from->second, to->second);
     if (!drawn.insert(ends).second) continue;
@@ -63,6 +63,12 @@ std::vector<int> two_lengths(int length) {
   return length == 3 ? std::vector<int>{3} : std::vector<int>{length, length - 1};
 }
 
+std::string sides_text(int length) {
+  std::string text;
+  for (const int l : two_lengths(length)) text += (text.empty() ? "" : " and ") + std::to_string(l);
+  return text;
+}
+
 Exploration explore_regular(PairType type, int length) {
   return enumerate::explore_all(type, theory::IntegerVector::Constant(type.side_count(), length), theory::Apex::with);
 }
@@ -70,9 +76,7 @@ Exploration explore_regular(PairType type, int length) {
 }  // namespace
 
 GridFigure figure_10(int length) {
-  GridFigure figure{"Figure 10: configurations of a 3-3 pair in regular digons of side " + std::to_string(length) + " and " +
-                        std::to_string(length - 1),
-                    {}, {}};
+  GridFigure figure{"Figure 10: configurations of a 3-3 pair in regular digons of side " + sides_text(length), {}, {}};
   for (const int l : two_lengths(length)) {
     const Exploration found = explore_regular(theory::kDigon, l);
     add_grid(figure, found, "L" + std::to_string(l) + "_", parity_colour(l), [](const Configuration& c) -> Place {
@@ -83,9 +87,7 @@ GridFigure figure_10(int length) {
 }
 
 GridFigure figure_11(int length) {
-  GridFigure figure{"Figure 11: configurations of a 5-5 pair in regular hexagons of side " + std::to_string(length) + " and " +
-                        std::to_string(length - 1),
-                    {}, {}};
+  GridFigure figure{"Figure 11: configurations of a 5-5 pair in regular hexagons of side " + sides_text(length), {}, {}};
   for (const int l : two_lengths(length)) {
     const Exploration found = explore_regular(theory::kHexagon, l);
     const double shift = l == length ? 0.0 : 0.87 * (2 * length - 5) + 2;  // beside the first

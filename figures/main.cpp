@@ -4,14 +4,13 @@
 #include <filesystem>
 #include <iostream>
 
-#include <boost/program_options.hpp>
+#include <nlohmann/json.hpp>
 
+#include "enumerate/options.hpp"
 #include "figures/graphviz.hpp"
-#include "mesh/program.hpp"
 
 namespace {
 
-namespace po = boost::program_options;
 using namespace requad;
 using program::UsageError;
 
@@ -24,10 +23,11 @@ constexpr const char* kHelp = R"(requad-figures: the configuration grids of the 
            (0,x) is drawn dashed: it is the same configuration as (x,0)
       11   5-5 pairs in regular hexagons of side L and L-1, half cubes in projection
       12   a 3-5 pair in a region, a grid
-  --side L            side length for figures 10 (default 8) and 11 (default 6)
+  --side L            side length for figures 10 (default 8) and 11 (default 6), 3..40
   --pair-region D1,D2,M,N   for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)
   --format F          dot, svg, pdf or png; may be repeated (default: dot and svg)
   -o DIR              folder for the files figure-N.F (default .)
+  --json FILE|-       what was written
   --quiet  --help  --version
 
 Examples:
@@ -36,59 +36,32 @@ Examples:
   requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png
 )";
 
+std::vector<std::string> choose(const program::Options& options, const char* name, std::vector<std::string> fallback,
+                                const std::vector<std::string>& known) {
+  if (!options.has(name)) return fallback;
+  const std::vector<std::string> chosen = options.list(name);
+  for (const std::string& word : chosen) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+    std::string expected;
+    for (const std::string& k : known) expected += (expected.empty() ? "" : ", ") + k;
+    throw UsageError(std::string("--") + name + ": '" + word + "' is not one of " + expected);
+  }
+  return chosen;
+}
+
 int main_body(int argc, char** argv) {
-  po::options_description all;
-  all.add_options()("help,h", "")("version", "")("quiet,q", "")("threads", po::value<std::string>())(
-      "figure", po::value<std::vector<std::string>>())("format", po::value<std::vector<std::string>>())(
-      "side", po::value<std::string>())("pair-region", po::value<std::string>()->default_value("2,1,4,3"))(
-      "output,o", po::value<std::string>()->default_value("."))("words", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("words", -1);
-  po::variables_map options;
-  try {
-    using Style = po::command_line_style::style_t;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                  .style(Style::unix_style & ~Style::allow_guessing).run(), options);
-  } catch (const po::error& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
-  if (options.count("help") != 0) {
-    std::cout << kHelp;
-    return program::kDone;
-  }
-  if (options.count("version") != 0) {
-    std::cout << "requad-figures " REQUAD_VERSION "\n";
-    return program::kDone;
-  }
-  if (options.count("words") != 0) {
-    throw UsageError("unexpected argument '" + options["words"].as<std::vector<std::string>>().front() + "'; see --help");
-  }
-  const auto list = [&options](const char* name, std::vector<std::string> fallback, const std::vector<std::string>& known) {
-    if (options.count(name) == 0) return fallback;
-    auto chosen = options[name].as<std::vector<std::string>>();
-    for (const std::string& word : chosen) {
-      if (std::find(known.begin(), known.end(), word) == known.end()) {
-        std::string expected;
-        for (const std::string& k : known) expected += (expected.empty() ? "" : ", ") + k;
-        throw UsageError(std::string("--") + name + ": '" + word + "' is not one of " + expected);
-      }
-    }
-    return chosen;
-  };
-  const auto numbers = list("figure", {"10", "11", "12"}, {"10", "11", "12"});
-  const auto formats = list("format", {"dot", "svg"}, {"dot", "svg", "pdf", "png"});
-  const auto side = [&options](int fallback) {
-    if (options.count("side") == 0) return fallback;
-    const std::int64_t length = program::parse_integer(options["side"].as<std::string>(), "--side");
-    if (length < 3 || length > 200) throw UsageError("--side: " + std::to_string(length) + " is not in 3..200");
-    return static_cast<int>(length);
-  };
-  const auto shape = program::parse_integers(options["pair-region"].as<std::string>(), "--pair-region");
+  const program::Options options(argc, argv, {{}, {"side", "pair-region", "output,o"}, {"figure", "format"}});
+  if (program::answered(options, "requad-figures", REQUAD_VERSION, kHelp)) return program::kDone;
+  if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
+  const auto numbers = choose(options, "figure", {"10", "11", "12"}, {"10", "11", "12"});
+  const auto formats = choose(options, "format", {"dot", "svg"}, {"dot", "svg", "pdf", "png"});
+  const auto side = [&options](int fallback) { return static_cast<int>(options.integer("side", fallback, 3, 40)); };
+  const auto shape = program::parse_integers(options.text("pair-region", "2,1,4,3"), "--pair-region");
   if (shape.size() != 4) throw UsageError("--pair-region: expected D1,D2,M,N");
   for (const std::int64_t x : shape) {
-    if (x < 0 || x > 200) throw UsageError("--pair-region: " + std::to_string(x) + " is not in 0..200");
+    if (x < 0 || x > 30) throw UsageError("--pair-region: " + std::to_string(x) + " is not in 0..30");
   }
-  const std::string folder = options["output"].as<std::string>();
+  const std::string folder = options.text("output", ".");
   // All figures before the first file: nothing is written if one of them can not be made.
   std::vector<figures::GridFigure> made;
   for (const std::string& number : numbers) {
@@ -100,6 +73,7 @@ int main_body(int argc, char** argv) {
     }
     made.push_back(std::move(figure));
   }
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw UsageError(folder + ": " + error.message());
@@ -109,9 +83,11 @@ int main_body(int argc, char** argv) {
     for (const std::string& format : formats) {
       const std::string path = (std::filesystem::path(folder) / ("figure-" + number + "." + format)).string();
       program::write_text(path, format == "dot" ? figures::to_dot(figure) : figures::render(figure, format));
-      if (options.count("quiet") == 0) std::cout << path << ": " << figure.title << "\n";
+      files.push_back({{"figure", number}, {"file", path}, {"title", figure.title}, {"nodes", figure.nodes.size()}, {"edges", figure.edges.size()}});
+      if (!options.quiet() && !options.on_stdout("json")) std::cout << path << ": " << figure.title << "\n";
     }
   }
+  if (options.has("json")) program::write_text(options.text("json"), nlohmann::ordered_json{{"files", files}}.dump() + "\n");
   return program::kDone;
 }
 

@@ -15,8 +15,8 @@
 //   O4  An operation followed by the inverse that apply() returns gives an equal mesh: same ids, same free ids next.
 //   O5  An operation touches the arrays of its own one or two faces, their neighbours' twins, and (collapse, split) the
 //       half-edges out of one vertex: O(1), or O(valence) of the vertex removed or made.
-// What is not true: a flip is not an involution; two counter-clockwise flips of an edge between two quads of a regular
-// grid turn it on by a third of the hexagon's half-turn.
+// A flip is not its own inverse: three counter-clockwise flips bring an edge back, turned end for end, as three diagonals
+// of a hexagon join opposite corners.
 #pragma once
 
 #include <array>

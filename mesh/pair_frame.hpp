@@ -37,8 +37,8 @@ struct PairFrame {
   friend bool operator==(const PairFrame&, const PairFrame&) = default;
 };
 
-// The vertex a straight, regular walk of `steps` edges from h ends at, and the half-edge it arrives by; nothing if a
-// vertex before the end is irregular or on the boundary. steps >= 1. O(steps).
+// The half-edge by which a straight walk of `steps` edges, h the first, arrives; nothing if a vertex before the end is
+// irregular or on the boundary. steps >= 1. O(steps).
 std::optional<HalfEdgeId> walk(const QuadMesh& mesh, HalfEdgeId h, int steps);
 
 // The frame with these extents whose first leg starts with h, if R_alpha's two boundary paths are there. a + b >= 1.

@@ -1,11 +1,15 @@
 #include "mesh/program.hpp"
 
+#include <cerrno>
 #include <charconv>
-#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "mesh/quad_mesh.hpp"
@@ -28,6 +32,9 @@ int run(std::string_view name, const std::function<int()>& body) {
   } catch (const std::invalid_argument& error) {
     say(error.what());
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    say("out of memory");
+    return kUndecided;
   } catch (const std::exception& error) {
     say((std::string("internal error: ") + error.what()).c_str());
     return kCheckFailed;
@@ -70,25 +77,50 @@ Range parse_range(std::string_view text, std::string_view what) {
 }
 
 void write_text(const std::string& path, std::string_view text) {
+  namespace fs = std::filesystem;
   if (path == "-") {
     std::cout << text;
     return;
   }
-  const std::string temporary = path + ".part";
-  {
-    std::ofstream out(temporary, std::ios::binary);
+  const auto fail = [&path](const std::string& why) { throw UsageError(path + ": can not be written: " + why); };
+  // Through links to what they name. A device or a pipe is written to, never replaced.
+  std::error_code error;
+  fs::path target = path;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error || links == 40) fail(error ? error.message() : "too many links");
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  const fs::file_status status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    std::ofstream out(target, std::ios::binary);
     out << text;
     out.flush();
-    if (!out) {
-      std::remove(temporary.c_str());
-      throw UsageError(path + ": can not be written");
-    }
+    if (!out) fail(fs::is_directory(status) ? "it is a folder" : "output error");
+    return;
   }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
+  std::string temporary = target.string() + ".XXXXXX";
+  const int descriptor = mkstemp(temporary.data());
+  if (descriptor < 0) fail(std::strerror(errno));
+  close(descriptor);
+  std::ofstream out(temporary, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) {
+    const std::string why = std::strerror(errno);
+    fs::remove(temporary, error);
+    fail(why);
+  }
+  // As an ordinary new file would be, or as the file that is replaced was.
+  const mode_t mask = umask(0);
+  umask(mask);
+  const auto usual = static_cast<fs::perms>(0666 & ~mask);
+  fs::permissions(temporary, fs::exists(status) ? status.permissions() : usual, error);
+  fs::rename(temporary, target, error);
   if (error) {
-    std::remove(temporary.c_str());
-    throw UsageError(path + ": " + error.message());
+    const std::string why = error.message();
+    fs::remove(temporary, error);
+    fail(why);
   }
 }
 
@@ -108,7 +140,9 @@ void Progress::advance(std::int64_t by) {
   if (now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(200)) return;
   last_ = now;
   printed_ = true;
-  std::cerr << '\r' << what_ << ": " << done << " of " << total_ << "\033[K" << std::flush;
+  std::cerr << '\r' << what_ << ": " << done;
+  if (total_ > 0) std::cerr << " of " << total_;
+  std::cerr << "\033[K" << std::flush;
 }
 
 }  // namespace requad::program

@@ -27,7 +27,7 @@ class UsageError : public std::runtime_error {
 };
 
 // Calls body and returns its exit code; an exception ends in one line "NAME: message" on stderr and kBadInput for bad
-// arguments and input, kCheckFailed for anything else, which is a fault of this program.
+// arguments and input, in kUndecided if memory ran out, in kCheckFailed for anything else: a fault of this program.
 int run(std::string_view name, const std::function<int()>& body);
 
 // A decimal integer and nothing else; `what` names it in the error.
@@ -42,10 +42,11 @@ struct Range {
 Range parse_range(std::string_view text, std::string_view what);
 
 // Writes text to a file as a whole or not at all (a temporary file beside it, then renamed), or to stdout if path is "-".
-// Throws UsageError.
+// Links are followed; a device or pipe is written to as it is. Throws UsageError.
 void write_text(const std::string& path, std::string_view text);
 
-// A counter on stderr, shown only if stderr is a terminal and the work has taken a second. Safe to call from any thread.
+// A counter on stderr, shown only if stderr is a terminal and the work has taken a second. A total of 0 is not known.
+// Safe to call from any thread.
 class Progress {
  public:
   Progress(std::string what, std::int64_t total, bool quiet);

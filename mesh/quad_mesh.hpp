@@ -16,8 +16,7 @@
 //   I4  the mesh is simple: no edge joins a vertex to itself, no two edges join the same two vertices; so the four
 //       vertices of a face differ. Interior valence 2 is allowed.
 //
-// What is not true: interior valence need not be even to be regular, meshes need not be connected, and a closed mesh
-// (no boundary) of any genus is welcome.
+// Not required: a mesh need not be connected, nor have a boundary; any genus is welcome.
 //
 // Costs: traversal steps O(1); valence O(valence). Handles of untouched elements stay as they are under every operation.
 #pragma once
@@ -56,6 +55,7 @@ class QuadMesh {
   int vertex_capacity() const { return static_cast<int>(out_.size()); }
   int face_capacity() const { return static_cast<int>(twin_.size() / 4); }
   int half_edge_capacity() const { return static_cast<int>(twin_.size()); }
+  int origin_count() const { return static_cast<int>(origin_.size()); }  // half_edge_capacity(), unless arrays are broken
 
   bool is_live(VertexId v) const { return v.index() >= 0 && v.index() < vertex_capacity() && out_[v.slot()].valid(); }
   bool is_live(HalfEdgeId h) const {

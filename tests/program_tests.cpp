@@ -1,9 +1,13 @@
 // The programs from outside: exit codes, one clear line for bad input, nothing half written.
+#include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -91,6 +95,21 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 2,1"},
       {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 7,1"},
       {"enumerate", "path --sides 5,5,5,5,5,5 --pair 5-5 --from 1,0 --to 0,1,1"},
+      {"enumerate", "graph --sides 1000000,1000000 --pair 3-3"},   // more than memory holds
+      {"enumerate", "path --sides 1000000,1000000 --pair 3-3 --from 1,1 --to 2,2"},
+      {"enumerate", "graph --sides 6,6 --pair 3-3 --from 1,1"},   // an option of another command
+      {"enumerate", "graph --sides 6,6 --pair 3-3 --threads foo"},
+      {"enumerate", "graph --sides 6,6 --pair 3-3 --json - -o -"},
+      {"enumerate", "search --sides 6,6"},
+      {"enumerate", "search --irregular 3,3"},
+      {"enumerate", "search --sides 6,6 --irregular 3,4"},
+      {"enumerate", "search --sides 6,6 --irregular 1"},
+      {"enumerate", "search --sides 0,6 --irregular 3,3"},
+      {"enumerate", "search --interior-quads 2,2,2,2,2,2 --irregular 3,3,3,3"},  // no end without a limit
+      {"enumerate", "sphere --irregular 3,3,3 --vertices 8..9"},  // indices do not sum to 8
+      {"enumerate", "sphere --irregular 3,3,3,3,3,3,3,3"},
+      {"enumerate", "signature --from-signature zzz"},
+      {"verify", "--failures /no/such/folder"},
       {"verify", "--claim T99"},
       {"verify", "--digon 2..5"},                                 // L < 3
       {"verify", "--digon 9..5"},
@@ -150,12 +169,62 @@ TEST_CASE("requad-enumerate region and path write whole files", "[programs]") {
   CHECK(nlohmann::json::parse(path.out)["path"].size() == 5);
 }
 
+TEST_CASE("requad-enumerate search, sphere and signature", "[programs]") {
+  const auto json_of = [](const std::string& arguments, int code) {
+    const Outcome outcome = call("enumerate", arguments + " --json -");
+    INFO(arguments << outcome.err);
+    REQUIRE(outcome.code == code);
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto seven = json_of("search --sides 7,7 --irregular 3,3", 0);  // Theorem 7.2: N^2 with N = 3
+  CHECK(seven["count"] == 9);
+  CHECK(seven["complete"] == true);
+  const auto mixed = json_of("search --sides 6,6,6 --irregular 3,3,5 --list", 0);
+  CHECK(mixed["count"] == 75);
+  CHECK(mixed["fillings"].size() == 75);
+  CHECK(mixed["orbits"]["rotations"] == 25);  // none has a threefold symmetry
+  // Proven none is not undecided.
+  CHECK(json_of("search --sides 7,6 --irregular 3,3", 0)["count"] == 0);
+  CHECK(json_of("search --sides 5,4,5,4 --irregular 3,5", 0)["count"] == 0);
+  CHECK(json_of("search --sides 5,4,5,4 --irregular ''", 0)["count"] == 1);
+  const auto capped = json_of("search --interior-quads 2,2,2,2,2,2 --irregular 3,3,3,3 --max-faces 12", 3);
+  CHECK(capped["count"].is_null());
+  CHECK(capped["complete"] == false);
+  // OEIS A111361 and plantri's counts.
+  const auto spheres = json_of("sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..20", 0);
+  const std::vector<int> expected{1, 0, 1, 1, 2, 1, 5, 2, 8, 5, 12, 8, 25};
+  for (int v = 8; v <= 20; ++v) CHECK(spheres["counts"][std::to_string(v)] == expected[static_cast<std::size_t>(v - 8)]);
+  const auto cube = json_of("sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8 --list", 0);
+  const std::string text = cube["spheres"][0];
+  const auto rebuilt = json_of("signature --from-signature " + text, 0);
+  CHECK(rebuilt["vertices"] == 8);
+  CHECK(rebuilt["closed"] == true);
+  CHECK(rebuilt["canonical"] == text);
+}
+
+TEST_CASE("output follows links and leaves what is no file alone", "[programs]") {
+  fs::create_symlink("linked.json", scratch() / "link.json");
+  CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 -o link.json").code == 0);
+  CHECK(fs::is_symlink(scratch() / "link.json") == true);
+  const std::string pipe = (scratch() / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string copy = (scratch() / "copy").string();
+  // A reader first, which gives up by itself should nobody write.
+  REQUIRE(std::system(("timeout 20 cat '" + pipe + "' >'" + copy + "' &").c_str()) == 0);
+  CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 -o pipe").code == 0);
+  CHECK(fs::is_fifo(pipe));
+  for (int i = 0; i < 100 && slurp(copy).find("components") == std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  CHECK(slurp(scratch() / "copy").rfind("{\"nodes\"", 0) == 0);
+}
+
 TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
-  const Outcome all = call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..14 --other-perimeter 4..14 --json -");
+  const Outcome all = call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..20 --other-perimeter 4..14 --json -");
   CHECK(all.code == 0);
   const auto json = nlohmann::json::parse(all.out);
   CHECK(json["passed"] == true);
-  CHECK(json["claims"].size() == 16);
+  CHECK(json["claims"].size() == 25);
   // 3-5 regions of perimeter 4..8 do not exist: T4 is undecided there, never "holds".
   const Outcome none = call("verify", "--claim T4 --quad-perimeter 4..8 --json -");
   CHECK(none.code == 3);

@@ -41,6 +41,15 @@ std::vector<CensusEntry> census(int perimeter, bool with_merged) {
       entries.push_back({c.type, c.sides, configuration, enumerate::glue_region(c.type, configuration)});
     }
   }
+  if (!with_merged) return entries;
+  // Regions with room for the merged vertex only: all sides 2.
+  for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
+    const auto smallest = theory::IntegerVector::Constant(type.side_count(), 2).eval();
+    if (smallest.sum() > perimeter) continue;
+    for (const auto& merged : theory::merged_configurations(type, smallest)) {
+      entries.push_back({type, smallest, merged, enumerate::glue_region(type, merged)});
+    }
+  }
   return entries;
 }
 

@@ -22,7 +22,7 @@ struct CensusEntry {
   mesh::Region region;
 };
 // Every configuration of every convex digon, hexagon and 3-5 region of perimeter up to this, each region once up to
-// rotation, merged configurations included if asked for. Made by glue_region().
+// rotation, merged configurations included if asked for, those of the smallest regions (all sides 2) too. By glue_region().
 std::vector<CensusEntry> census(int perimeter, bool with_merged);
 
 // The same mesh with faces, corners and vertices renamed at random; half_edge[old] is the new name.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+
+#include "verify/judging.hpp"
 
 namespace requad::verify {
 
@@ -87,24 +90,28 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
   by_perimeter(Family::quad, theory::kQuad, ranges.quad_perimeter, true);
   by_perimeter(Family::other_digon, theory::kDigon, ranges.other_perimeter, false);
   by_perimeter(Family::other_hexagon, theory::kHexagon, ranges.other_perimeter, false);
+  if (families.count(Family::single_vertex) > 0) {
+    for (int valence = 2; valence <= 12; ++valence) {
+      const theory::PairType type = valence == 2 ? theory::kDigon : theory::PairType{valence + 1, 3};
+      for (const Integer length : {2, 3, 4, 6, 8}) list.cases.push_back({Family::single_vertex, type, IntegerVector::Constant(valence, length)});
+      if (valence == 4 || valence > 9) continue;
+      for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min<Integer>(ranges.other_perimeter.last, 20); ++perimeter) {
+        if (perimeter < valence) continue;
+        for_each_necklace(valence, perimeter, [&](const std::vector<Integer>& sides) {
+          list.cases.push_back({Family::single_vertex, type, to_vector(sides)});
+        });
+      }
+    }
+  }
   return list;
-}
-
-std::set<Family> families_of(const std::string& id) {
-  using enum Family;
-  if (id == "T2") return {regular_digon, other_digon};
-  if (id == "T3") return {regular_hexagon, other_hexagon};
-  if (id == "T4" || id == "P1" || id == "N1") return {quad};
-  if (id == "P2") return {regular_digon, regular_hexagon, other_digon, other_hexagon};
-  if (id == "F1" || id == "N2") return {regular_digon, regular_hexagon};
-  return {regular_digon, regular_hexagon, quad, other_digon, other_hexagon};
 }
 
 bool CampaignResult::passed() const {
   return std::all_of(claims.begin(), claims.end(), [](const ClaimResult& c) { return !c.violation && c.instances > 0; });
 }
 
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, int threads, bool quiet) {
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
+                            int threads, bool quiet) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
@@ -125,12 +132,13 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
     };
     const auto start = Clock::now();
     try {
-      const Study s = study(list.cases[i]);
+      const Study s = study(list.cases[i], methods);
       result.study_seconds = since(start);
       for (const Claim* claim : selected) {
         const auto judging = Clock::now();
         try {
-          result.judgements.push_back(claim->judge(s));
+          const bool concerns = claim->families.count(list.cases[i].family) > 0;
+          result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
         } catch (const std::exception& error) {
           result.judgements.push_back(failed(error));
         }
@@ -152,6 +160,8 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   for (std::size_t c = 0; c < selected.size(); ++c) {
     ClaimResult total;
     total.claim = selected[c];
+    std::set_intersection(methods.begin(), methods.end(), total.claim->methods.begin(), total.claim->methods.end(),
+                          std::inserter(total.methods, total.methods.begin()));
     for (std::size_t i = 0; i < results.size(); ++i) {
       Judgement& j = results[i].judgements[c];
       total.seconds += results[i].seconds[c];

@@ -17,9 +17,11 @@ struct Ranges {
   program::Range digon{3, 24};         // side length of regular digons
   program::Range hexagon{3, 12};       // side length of regular hexagons
   program::Range quad_perimeter{8, 24};
-  program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons
+  program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons, and of regions with one irregular vertex
 };
 
+// Regions with a single irregular vertex: valences 2..9, other than 4, of these perimeters up to 20, with a configuration
+// or without; and regular ones of side 2, 3, 4, 6 and 8 for valences 2..12, 4 being the regular grid.
 // All regions of the ranges that have a configuration, each once up to rotation of its sides. (The others have an empty
 // parameter set and an exact count of 0: counted in `empty`.) Families in order, then by perimeter, then by sides.
 struct CaseList {
@@ -27,9 +29,6 @@ struct CaseList {
   std::map<Family, std::int64_t> empty;
 };
 CaseList list_cases(const Ranges& ranges, const std::set<Family>& families);
-
-// The families that a claim can say something about.
-std::set<Family> families_of(const std::string& claim_id);
 
 struct FamilyTotal {
   std::int64_t regions = 0;
@@ -39,6 +38,7 @@ struct FamilyTotal {
 struct ClaimResult {
   const Claim* claim = nullptr;
   std::int64_t instances = 0;                       // regions judged
+  std::set<Method> methods;                         // those that were used
   std::map<Family, FamilyTotal> totals;
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
   double seconds = 0;                               // of judging, summed over threads
@@ -55,6 +55,7 @@ struct CampaignResult {
 
 // Runs the claims on the cases. `threads` 0 means all cores. An exception while a region is studied or judged is a
 // violation of the claim (or of all of them), never lost.
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, int threads, bool quiet);
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
+                            int threads, bool quiet);
 
 }  // namespace requad::verify

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Claim {
   std::string where;      // in the paper
   std::string statement;
   std::string compares;   // the two sides of the check, for readers of the report
+  std::set<Family> families;   // the regions that the claim can say something about
+  std::set<Method> methods;    // the ways of finding that the check can use; one of them must have been asked for
   std::function<Judgement(const Study&)> judge;
 };
 

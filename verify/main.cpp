@@ -1,19 +1,18 @@
 // requad-verify: checks the claims of the paper by running every pair move on every configuration.
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
-#include <boost/program_options.hpp>
-
+#include "enumerate/options.hpp"
 #include "mesh/obj.hpp"
-#include "mesh/program.hpp"
 #include "verify/campaign.hpp"
 #include "verify/report.hpp"
 
 namespace {
 
-namespace po = boost::program_options;
 using namespace requad;
+using program::Options;
 using program::UsageError;
 
 constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivity Editing for Quadrilateral Meshes" by computer
@@ -25,7 +24,8 @@ constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivi
   --hexagon A..B           side lengths of regular hexagons with a 5-5 pair (default 3..12)
   --quad-perimeter A..B    perimeters of convex regions with a 3-5 pair, all sides (default 8..24)
   --other-perimeter A..B   perimeters of non-regular digons and hexagons, all sides (default 4..24)
-  --method moves           every pair move from one configuration on, until nothing is new (default)
+  --method moves|search    moves: every pair move from one configuration on, until nothing is new; search: every filling
+                           of the boundary, without any theorem; may be repeated (default: both)
   --failures DIR           where the mesh of a violation is written as OBJ (default .)
   --list                   the claims, with what each check compares
   --json FILE|-  --threads N  --quiet  --help  --version
@@ -38,22 +38,23 @@ Examples:
   requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json
 )";
 
-program::Range lengths(const po::variables_map& options, const char* name, program::Range fallback, std::int64_t least) {
-  if (options.count(name) == 0) return fallback;
+program::Range lengths(const Options& options, const char* name, program::Range fallback, std::int64_t least, std::int64_t most) {
+  if (!options.has(name)) return fallback;
   const std::string option = std::string("--") + name;
-  const program::Range range = program::parse_range(options[name].as<std::string>(), option);
-  if (range.first < least) throw UsageError(option + ": " + std::to_string(range.first) + " is below " + std::to_string(least));
-  if (range.last > 1000) throw UsageError(option + ": " + std::to_string(range.last) + " is above 1000");
+  const program::Range range = program::parse_range(options.text(name), option);
+  if (range.first < least || range.last > most) {
+    throw UsageError(option + ": " + options.text(name) + " is not within " + std::to_string(least) + ".." + std::to_string(most));
+  }
   return range;
 }
 
-std::vector<const verify::Claim*> select(const po::variables_map& options) {
+std::vector<const verify::Claim*> select(const Options& options) {
   std::vector<const verify::Claim*> selected;
-  if (options.count("claim") == 0) {
+  if (!options.has("claim")) {
     for (const verify::Claim& claim : verify::claims()) selected.push_back(&claim);
     return selected;
   }
-  for (const std::string& id : options["claim"].as<std::vector<std::string>>()) {
+  for (const std::string& id : options.list("claim")) {
     const auto& all = verify::claims();
     const auto it = std::find_if(all.begin(), all.end(), [&](const verify::Claim& c) { return c.id == id; });
     if (it == all.end()) throw UsageError("--claim: '" + id + "' is not a claim; see --list");
@@ -67,72 +68,56 @@ void write_violations(const verify::CampaignResult& result, const std::string& f
   for (const verify::ClaimResult& c : result.claims) {
     if (!c.violation || !c.violation->mesh) continue;
     const std::string path = folder + "/violation-" + c.claim->id + ".obj";
-    mesh::save_region(path, *c.violation->mesh, {c.claim->id + ": " + c.violation->what});
-    std::cerr << "requad-verify: the violating mesh of " << c.claim->id << " is in " << path << '\n';
+    try {
+      mesh::save_region(path, *c.violation->mesh, {c.claim->id + ": " + c.violation->what});
+      std::cerr << "requad-verify: the violating mesh of " << c.claim->id << " is in " << path << '\n';
+    } catch (const UsageError& error) {
+      std::cerr << "requad-verify: " << error.what() << '\n';  // the claim fails all the same
+    }
   }
 }
 
 int main_body(int argc, char** argv) {
-  po::options_description all;
-  all.add_options()("help,h", "")("version", "")("quiet,q", "")("list", "")("json", po::value<std::string>())("threads", po::value<std::string>())(
-      "claim", po::value<std::vector<std::string>>())("digon", po::value<std::string>())("hexagon", po::value<std::string>())(
-      "quad-perimeter", po::value<std::string>())("other-perimeter", po::value<std::string>())(
-      "method", po::value<std::vector<std::string>>())("failures", po::value<std::string>()->default_value("."))(
-      "words", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("words", -1);
-  po::variables_map options;
-  try {
-    using Style = po::command_line_style::style_t;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                  .style(Style::unix_style & ~Style::allow_guessing).run(), options);
-  } catch (const po::error& error) {
-    throw UsageError(std::string(error.what()) + "; see --help");
-  }
-  if (options.count("help") != 0) {
-    std::cout << kHelp;
-    return program::kDone;
-  }
-  if (options.count("version") != 0) {
-    std::cout << "requad-verify " REQUAD_VERSION "\n";
-    return program::kDone;
-  }
-  if (options.count("list") != 0) {
+  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures"}, {"claim", "method"}});
+  if (program::answered(options, "requad-verify", REQUAD_VERSION, kHelp)) return program::kDone;
+  if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
+  if (options.has("list")) {
     for (const verify::Claim& c : verify::claims()) {
       std::cout << c.id << "  " << c.statement << " [" << c.where << "]\n     compares: " << c.compares << "\n";
     }
     return program::kDone;
   }
-  if (options.count("words") != 0) {
-    throw UsageError("unexpected argument '" + options["words"].as<std::vector<std::string>>().front() + "'; see --help");
-  }
-  if (options.count("method") != 0) {
-    for (const std::string& method : options["method"].as<std::vector<std::string>>()) {
-      if (method != "moves") throw UsageError("--method: '" + method + "' is not a method; expected moves");
+  std::set<verify::Method> methods{verify::Method::moves, verify::Method::search};
+  if (options.has("method")) {
+    methods.clear();
+    for (const std::string& method : options.list("method")) {
+      if (method == "moves") {
+        methods.insert(verify::Method::moves);
+      } else if (method == "search") {
+        methods.insert(verify::Method::search);
+      } else {
+        throw UsageError("--method: '" + method + "' is not one of moves, search");
+      }
     }
   }
-  int threads = 0;
-  if (options.count("threads") != 0) {
-    const std::int64_t wanted = program::parse_integer(options["threads"].as<std::string>(), "--threads");
-    if (wanted < 1 || wanted > 1024) throw UsageError("--threads: " + std::to_string(wanted) + " is not in 1..1024");
-    threads = static_cast<int>(wanted);
-  }
+  const std::string failures = options.text("failures", ".");
+  if (!std::filesystem::is_directory(failures)) throw UsageError("--failures: " + failures + " is not a folder");
   verify::Ranges ranges;
-  ranges.digon = lengths(options, "digon", ranges.digon, 3);
-  ranges.hexagon = lengths(options, "hexagon", ranges.hexagon, 3);
-  ranges.quad_perimeter = lengths(options, "quad-perimeter", ranges.quad_perimeter, 4);
-  ranges.other_perimeter = lengths(options, "other-perimeter", ranges.other_perimeter, 4);
+  ranges.digon = lengths(options, "digon", ranges.digon, 3, 100);
+  ranges.hexagon = lengths(options, "hexagon", ranges.hexagon, 3, 40);
+  ranges.quad_perimeter = lengths(options, "quad-perimeter", ranges.quad_perimeter, 4, 100);
+  ranges.other_perimeter = lengths(options, "other-perimeter", ranges.other_perimeter, 4, 40);
 
   const std::vector<const verify::Claim*> selected = select(options);
   std::set<verify::Family> families;
-  for (const verify::Claim* claim : selected) families.merge(verify::families_of(claim->id));
-  const bool quiet = options.count("quiet") != 0;
-  const verify::CampaignResult result = verify::run_campaign(selected, verify::list_cases(ranges, families), threads, quiet);
+  for (const verify::Claim* claim : selected) families.insert(claim->families.begin(), claim->families.end());
+  const bool quiet = options.quiet();
+  const verify::CampaignResult result = verify::run_campaign(selected, verify::list_cases(ranges, families), methods, options.threads(), quiet);
 
-  const std::string json_path = options.count("json") != 0 ? options["json"].as<std::string>() : "";
+  const std::string json_path = options.text("json");
   if (!json_path.empty()) program::write_text(json_path, verify::report_json(result, ranges).dump() + "\n");
   if (!quiet && json_path != "-") std::cout << verify::report_text(result, ranges);
-  write_violations(result, options["failures"].as<std::string>());
+  write_violations(result, failures);
   if (result.passed()) return program::kDone;
   const bool failed = std::any_of(result.claims.begin(), result.claims.end(), [](const auto& c) { return c.violation.has_value(); });
   return failed ? program::kCheckFailed : program::kUndecided;

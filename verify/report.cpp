@@ -17,6 +17,7 @@ std::string range_of(Family family, const Ranges& ranges) {
     case Family::quad: return "3-5 regions of perimeter " + span(ranges.quad_perimeter);
     case Family::other_digon: return "non-regular digons of perimeter " + span(ranges.other_perimeter);
     case Family::other_hexagon: return "non-regular hexagons of perimeter " + span(ranges.other_perimeter);
+    case Family::single_vertex: return "regions with one irregular vertex";
   }
   return "";
 }
@@ -41,6 +42,8 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
   ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}};
   for (const ClaimResult& c : result.claims) {
     ordered_json table = c.table;
+    ordered_json methods = ordered_json::array();
+    for (const Method method : c.methods) methods.push_back(name(method));
     ordered_json totals = ordered_json::array();
     for (const auto& [family, total] : c.totals) {
       totals.push_back({{"family", name(family)}, {"regions", total.regions}, {"checks", total.checks}});
@@ -48,7 +51,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
     if (table.empty()) table = totals;
     json["claims"].push_back({{"id", c.claim->id}, {"where", c.claim->where}, {"statement", c.claim->statement},
                               {"verdict", verdict(c)}, {"instances", c.instances},
-                              {"range", range_text(ranges, families_of(c.claim->id))}, {"methods", {"moves"}},
+                              {"range", range_text(ranges, c.claim->families)}, {"methods", methods},
                               {"compares", c.claim->compares}, {"seconds", c.seconds},
                               {"counterexample", counterexample(c)}, {"totals", totals}, {"table", std::move(table)}});
   }
@@ -58,7 +61,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
 std::string report_text(const CampaignResult& result, const Ranges& ranges) {
   std::ostringstream out;
   std::set<Family> families;
-  for (const ClaimResult& c : result.claims) families.merge(families_of(c.claim->id));
+  for (const ClaimResult& c : result.claims) families.insert(c.claim->families.begin(), c.claim->families.end());
   for (const Family family : families) {
     out << range_of(family, ranges);
     if (const auto it = result.empty.find(family); it != result.empty.end()) {

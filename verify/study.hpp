@@ -4,6 +4,8 @@
 // on meshes and reads labels off them. The claims (claims.hpp) only compare.
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,10 +15,15 @@
 
 namespace requad::verify {
 
-enum class Family { regular_digon, regular_hexagon, quad, other_digon, other_hexagon };
+enum class Family { regular_digon, regular_hexagon, quad, other_digon, other_hexagon, single_vertex };
 const char* name(Family family);  // "regular digons", ...
 
-// What to study.
+// How configurations are found: by pair moves from one of them, or by filling the boundary without any theorem.
+enum class Method { moves, search };
+const char* name(Method method);
+
+// What to study. A region for a single irregular vertex of valence k has k sides; its type is {k + 1, 3}, whose merged
+// configurations they are.
 struct RegionCase {
   Family family;
   theory::PairType type;
@@ -28,18 +35,28 @@ struct Study {
   // Predicted.
   theory::Integer exact_count = 0;
   theory::ConfigurationMap map;             // with apex
-  // Found, from one start: a configuration of the lowest level, glued.
+  // Found by moves from one start, the first predicted configuration, glued.
   enumerate::Exploration found;
   std::vector<int> predicted_of;            // per found node: index into map.nodes, -1 if its label is not predicted
+  // Found by search: signatures of all fillings with the pair, and with the merged vertex alone; nothing if not asked for.
+  std::optional<std::vector<std::string>> searched;
+  std::optional<std::vector<std::string>> searched_merged;
+  // Predicted configurations of a single vertex, glued.
+  std::vector<mesh::Region> single;
 
   int pairs_predicted() const;              // nodes of the map that hold the pair
   int pairs_found() const;
 };
 
-// Throws std::invalid_argument on impossible sides. O(nodes * moves * mesh).
-Study study(const RegionCase& region);
+// Throws std::invalid_argument on impossible sides. O(nodes * moves * mesh), and the search.
+Study study(const RegionCase& region, const std::set<Method>& methods);
 
-// "5-5 hexagon 3 3 3 3 3 3".
+// The moves that were found, as a map like the predicted one: at each node the same labellings and steps in the same order
+// round the node, but the targets are where the moves led. A move that is none of the theorem's steps throws
+// std::logic_error with what it is.
+theory::ConfigurationMap found_map(const Study& study);
+
+// "5-5 region with sides 3 3 3 3 3 3".
 std::string describe(const RegionCase& region);
 
 }  // namespace requad::verify

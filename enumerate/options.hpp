@@ -1,0 +1,52 @@
+// Command lines of the programs: options by name, the common ones once, one-line errors.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/program_options/variables_map.hpp>
+
+#include "mesh/program.hpp"
+
+namespace requad::program {
+
+// What a program's command line may hold. Names are as for Boost.Program_options ("output,o"). Every program has
+// --help, --version, --quiet, --json and --threads besides.
+struct OptionTable {
+  std::vector<std::string> flags;
+  std::vector<std::string> values;     // take a value, given once
+  std::vector<std::string> lists;      // take a value, may be repeated
+};
+
+class Options {
+ public:
+  // Throws UsageError for anything the table does not know; abbreviations are not guessed.
+  Options(int argc, char** argv, const OptionTable& table);
+
+  bool has(const std::string& name) const { return map_.count(name) != 0; }
+  std::string text(const std::string& name, const std::string& fallback = "") const;
+  std::vector<std::string> list(const std::string& name) const;
+  const std::vector<std::string>& words() const { return words_; }
+  bool quiet() const { return has("quiet"); }
+  // 0 if --threads is not given: all cores.
+  int threads() const;
+  // The value as an integer in low..high, or the fallback. The error names the option and the range.
+  std::int64_t integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
+
+  // Throws UsageError if an option other than these and the common ones is given: `command` has no use for it.
+  void allow_only(const std::string& command, std::initializer_list<const char*> names) const;
+  // Throws UsageError if more than one of these options asks for standard output.
+  void one_on_stdout(std::initializer_list<const char*> names) const;
+  bool on_stdout(const std::string& name) const { return text(name) == "-"; }
+
+ private:
+  boost::program_options::variables_map map_;
+  std::vector<std::string> words_;
+};
+
+// Prints the help or the version if asked for; true if that was all there was to do.
+bool answered(const Options& options, const char* name, const char* version, const char* help);
+
+}  // namespace requad::program
