@@ -49,6 +49,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       if (report.refusal != Refusal::none) {
         REQUIRE(after.mesh == before);
         REQUIRE(report.operations.empty());
+        REQUIRE(report.refusal == Refusal::touches_boundary);
         ++refused_here;
         continue;
       }

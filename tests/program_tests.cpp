@@ -231,6 +231,65 @@ TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
   CHECK(nlohmann::json::parse(none.out)["claims"][0]["verdict"] == "undecided");
 }
 
+TEST_CASE("certificates are checked again, and rejected after any change that matters", "[programs]") {
+  const Outcome made = call("verify", "--claim T2 --claim T3 --claim T4 --digon 3..6 --hexagon 3..4 --quad-perimeter 10..14 "
+                                      "--other-perimeter 4..12 --certificate proof --quiet");
+  REQUIRE(made.code == 0);
+  const Outcome held = call("verify", "check proof");
+  CHECK(held.code == 0);
+  CHECK(held.out.find("certificates hold") != std::string::npos);
+  CHECK(call("verify", "check no-such-folder").code == 2);
+  CHECK(call("verify", "check").code == 2);
+
+  // Every digit of a certificate by another one, one at a time, and every line left out or given twice.
+  const fs::path file = scratch() / "proof" / "3-3-4-4.txt";
+  const std::string good = slurp(file);
+  REQUIRE(!good.empty());
+  std::ofstream(scratch() / "proof" / "MANIFEST") << "3-3-4-4.txt\n";
+  int changes = 0, accepted = 0;
+  const auto try_text = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    ++changes;
+    const Outcome outcome = call("verify", "check proof");
+    if (outcome.code == 0) {
+      ++accepted;
+      UNSCOPED_INFO("accepted: " << text);
+    } else {
+      CHECK(outcome.code == 1);
+      CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    }
+  };
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    if (good[i] < '0' || good[i] > '9') continue;
+    // Labels are names for readers: they only have to differ.
+    const std::size_t line = good.rfind('\n', i) + 1;
+    const std::size_t open = good.find('(', line);
+    if (good.compare(line, 4, "mesh") == 0 && open < i && i < good.find(')', line)) continue;
+    std::string text = good;
+    text[i] = good[i] == '9' ? '8' : static_cast<char>(good[i] + 1);
+    try_text(text);
+  }
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < good.size();) {
+    const std::size_t end = good.find('\n', at) + 1;
+    lines.push_back(good.substr(at, end - at));
+    at = end;
+  }
+  for (std::size_t skip = 0; skip < lines.size(); ++skip) {
+    for (const int times : {0, 2}) {
+      std::string text;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (int t = i == skip ? times : 1; t > 0; --t) text += lines[i];
+      }
+      try_text(text);
+    }
+  }
+  CHECK(changes > 200);
+  CHECK(accepted == 0);
+  std::ofstream(file) << good;
+  CHECK(call("verify", "check proof").code == 0);
+}
+
 TEST_CASE("requad-figures writes what it says", "[programs]") {
   const Outcome made = call("figures", "-o pictures");
   CHECK(made.code == 0);

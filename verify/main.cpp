@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <iostream>
 
+#include <unistd.h>
+
 #include "enumerate/options.hpp"
 #include "mesh/obj.hpp"
 #include "verify/campaign.hpp"
+#include "verify/certificate.hpp"
 #include "verify/report.hpp"
 
 namespace {
@@ -18,6 +21,7 @@ using program::UsageError;
 constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivity Editing for Quadrilateral Meshes" by computer
 
   requad-verify [--claim ID]... [ranges]
+  requad-verify check DIR   checks certificates again, by a program that shares no code with what made them
 
   --claim ID               check this claim only; may be repeated (default: all; --list names them)
   --digon A..B             side lengths of regular digons with a 3-3 pair (default 3..24)
@@ -27,6 +31,7 @@ constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivi
   --method moves|search    moves: every pair move from one configuration on, until nothing is new; search: every filling
                            of the boundary, without any theorem; may be repeated (default: both)
   --failures DIR           where the mesh of a violation is written as OBJ (default .)
+  --certificate DIR        writes every configuration, every edge with its script, and the counts, for `check`
   --list                   the claims, with what each check compares
   --json FILE|-  --threads N  --quiet  --help  --version
 
@@ -35,6 +40,7 @@ Exit code: 0 all claims hold, 1 one fails, 2 bad arguments, 3 a claim had no ins
 Examples:
   requad-verify
   requad-verify --claim T2 --digon 3..40
+  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof
   requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json
 )";
 
@@ -77,9 +83,20 @@ void write_violations(const verify::CampaignResult& result, const std::string& f
   }
 }
 
+// Hands over to requad-verify-check, which lies beside this program and shares no code with it.
+int check(const std::vector<std::string>& words, const char* self) {
+  if (words.size() != 2) throw UsageError("check: expected one folder");
+  std::error_code error;
+  const std::filesystem::path running = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string checker = ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
+  execl(checker.c_str(), checker.c_str(), words[1].c_str(), static_cast<char*>(nullptr));
+  throw UsageError("check: " + checker + " can not be started");
+}
+
 int main_body(int argc, char** argv) {
-  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures"}, {"claim", "method"}});
+  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate"}, {"claim", "method"}});
   if (program::answered(options, "requad-verify", REQUAD_VERSION, kHelp)) return program::kDone;
+  if (!options.words().empty() && options.words().front() == "check") return check(options.words(), argv[0]);
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
   if (options.has("list")) {
     for (const verify::Claim& c : verify::claims()) {
@@ -112,12 +129,17 @@ int main_body(int argc, char** argv) {
   std::set<verify::Family> families;
   for (const verify::Claim* claim : selected) families.insert(claim->families.begin(), claim->families.end());
   const bool quiet = options.quiet();
-  const verify::CampaignResult result = verify::run_campaign(selected, verify::list_cases(ranges, families), methods, options.threads(), quiet);
+  const verify::CaseList list = verify::list_cases(ranges, families);
+  const verify::CampaignResult result = verify::run_campaign(selected, list, methods, options.threads(), quiet);
 
   const std::string json_path = options.text("json");
   if (!json_path.empty()) program::write_text(json_path, verify::report_json(result, ranges).dump() + "\n");
   if (!quiet && json_path != "-") std::cout << verify::report_text(result, ranges);
   write_violations(result, failures);
+  if (options.has("certificate")) {
+    const int written = verify::write_certificates(options.text("certificate"), list.cases, quiet);
+    if (!quiet && json_path != "-") std::cout << written << " certificates in " << options.text("certificate") << '\n';
+  }
   if (result.passed()) return program::kDone;
   const bool failed = std::any_of(result.claims.begin(), result.claims.end(), [](const auto& c) { return c.violation.has_value(); });
   return failed ? program::kCheckFailed : program::kUndecided;

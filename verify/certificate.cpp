@@ -1,0 +1,125 @@
+#include "verify/certificate.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include "mesh/program.hpp"
+
+namespace requad::verify {
+
+namespace {
+
+using mesh::QuadMesh;
+using mesh::VertexId;
+
+// Names of a mesh's vertices in the certificate: the boundary first, from the root; a vertex keeps its name for good.
+class Names {
+ public:
+  explicit Names(const mesh::Region& region) {
+    for (const mesh::HalfEdgeId h : mesh::boundary_loop(region.mesh, region.root)) add(region.mesh.origin(h));
+    for (const VertexId v : region.mesh.vertices()) {
+      if (!region.mesh.is_boundary(v)) add(v);
+    }
+  }
+  void add(VertexId v) { name_[v] = next_++; }  // an id that is used again is another vertex
+  std::string operator[](VertexId v) const { return std::to_string(name_.at(v)); }
+
+ private:
+  std::map<VertexId, int> name_;
+  int next_ = 0;
+};
+
+std::string mesh_text(const mesh::Region& region) {
+  const Names names(region);
+  std::string text;
+  for (const mesh::FaceId f : region.mesh.faces()) {
+    const auto c = region.mesh.corners(f);
+    text += names[c[0]] + " " + names[c[1]] + " " + names[c[2]] + " " + names[c[3]] + "\n";
+  }
+  return text;
+}
+
+// The script of a move in vertex names, made again on the mesh it starts from.
+std::string script_text(const mesh::Region& region, const std::vector<mesh::BasicOperation>& script) {
+  using Kind = mesh::BasicOperation::Kind;
+  QuadMesh m = region.mesh;
+  Names names(region);
+  std::string text;
+  for (const mesh::BasicOperation& op : script) {
+    const auto changed = mesh::changed_vertices(m, op);
+    std::string line;
+    if (op.kind == Kind::collapse) {
+      const mesh::HalfEdgeId h = op.h;
+      line = "collapse " + names[m.origin(h)] + " " + names[m.target(h)] + " " + names[m.target(m.next(h))] + " " + names[m.origin(m.previous(h))];
+    } else if (op.kind == Kind::split) {
+      line = "split " + names[changed[0]] + " " + names[changed[1]] + " " + names[changed[2]];
+    } else {
+      line = "flip " + names[changed[0]] + " " + names[changed[1]] + " " + names[changed[2]] + " " + names[changed[3]];
+    }
+    const mesh::Applied done = mesh::apply(m, op);
+    if (op.kind == Kind::split) {
+      const VertexId made = m.origin(QuadMesh::opposite(done.made));
+      names.add(made);
+      line += " " + names[made];
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string certificate_text(const Study& s) {
+  std::string meshes, edges;
+  int pairs = 0, merged = 0, edge_count = 0;
+  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
+    const auto& node = s.found.nodes[i];
+    const bool holds_pair = s.found.holds_pair(static_cast<int>(i));
+    ++(holds_pair ? pairs : merged);
+    meshes += "mesh " + std::to_string(i) + (holds_pair ? " pair " : " merged ") + theory::label(s.region.type, node.reading.configuration) +
+              " vertices " + std::to_string(node.region.mesh.vertex_count()) + " faces " + std::to_string(node.region.mesh.face_count()) + "\n" +
+              mesh_text(node.region);
+  }
+  // One direction of each edge; of the two directions of a self-loop, every other one met.
+  std::map<int, bool> second_half;
+  for (const enumerate::FoundMove& move : s.found.moves) {
+    if (move.to < move.from) continue;  // refused, or the other direction
+    if (move.to == move.from) {
+      bool& second = second_half[move.from];
+      second = !second;
+      if (!second) continue;
+    }
+    ++edge_count;
+    edges += "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " + mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
+             script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
+  }
+  std::string sides;
+  for (const auto side : s.region.sides) sides += " " + std::to_string(side);
+  return "requad certificate 1\npair " + s.region.type.name() + "\nsides" + sides + "\nconfigurations " + std::to_string(pairs) + "\nmerged " +
+         std::to_string(merged) + "\nedges " + std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
+}
+
+int write_certificates(const std::string& folder, const std::vector<RegionCase>& cases, bool quiet) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw program::UsageError(folder + ": " + error.message());
+  program::Progress progress("certificates", static_cast<std::int64_t>(cases.size()), quiet);
+  std::string manifest;
+  int written = 0;
+  for (const RegionCase& c : cases) {
+    progress.advance();
+    if (c.family == Family::single_vertex) continue;
+    const Study s = study(c, {Method::moves});
+    if (s.found.nodes.empty()) continue;
+    std::string file = c.type.name();
+    for (const auto side : c.sides) file += "-" + std::to_string(side);
+    file += ".txt";
+    program::write_text((std::filesystem::path(folder) / file).string(), certificate_text(s));
+    manifest += file + "\n";
+    ++written;
+  }
+  program::write_text((std::filesystem::path(folder) / "MANIFEST").string(), manifest);
+  return written;
+}
+
+}  // namespace requad::verify
