@@ -49,7 +49,8 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       if (report.refusal != Refusal::none) {
         REQUIRE(after.mesh == before);
         REQUIRE(report.operations.empty());
-        REQUIRE(report.refusal == Refusal::touches_boundary);
+        // In a region nothing but the boundary is in the way.
+        REQUIRE((report.refusal == Refusal::touches_boundary || report.refusal == Refusal::boundary_corner));
         ++refused_here;
         continue;
       }
