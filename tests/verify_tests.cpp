@@ -73,6 +73,13 @@ TEST_CASE("the report has the keys that others rely on", "[verify]") {
   }
 }
 
+TEST_CASE("the HTML report has a section for each claim and is self-contained", "[verify]") {
+  const std::string html = report_html(run_small(2), small_ranges());
+  for (const Claim& c : claims()) CHECK(html.find("<h2 id=\"" + c.id + "\">") != std::string::npos);
+  for (const char* outside : {"http:", "https:", "<script", "<link", "src="}) CHECK(html.find(outside) == std::string::npos);
+  CHECK(html.find("</html>") != std::string::npos);
+}
+
 // A check that can not fail is worse than none: falsify the facts it looks at, one by one.
 TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const Study digon = study_of(Family::regular_digon, theory::kDigon, sides({6, 6}));

@@ -32,6 +32,7 @@ constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivi
                            of the boundary, without any theorem; may be repeated (default: both)
   --failures DIR           where the mesh of a violation is written as OBJ (default .)
   --certificate DIR        writes every configuration, every edge with its script, and the counts, for `check`
+  --html FILE|-            the report as one self-contained page
   --list                   the claims, with what each check compares
   --json FILE|-  --threads N  --quiet  --help  --version
 
@@ -94,7 +95,7 @@ int check(const std::vector<std::string>& words, const char* self) {
 }
 
 int main_body(int argc, char** argv) {
-  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate"}, {"claim", "method"}});
+  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html"}, {"claim", "method"}});
   if (program::answered(options, "requad-verify", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty() && options.words().front() == "check") return check(options.words(), argv[0]);
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
@@ -117,6 +118,7 @@ int main_body(int argc, char** argv) {
       }
     }
   }
+  options.one_on_stdout({"json", "html"});
   const std::string failures = options.text("failures", ".");
   if (!std::filesystem::is_directory(failures)) throw UsageError("--failures: " + failures + " is not a folder");
   verify::Ranges ranges;
@@ -134,7 +136,8 @@ int main_body(int argc, char** argv) {
 
   const std::string json_path = options.text("json");
   if (!json_path.empty()) program::write_text(json_path, verify::report_json(result, ranges).dump() + "\n");
-  if (!quiet && json_path != "-") std::cout << verify::report_text(result, ranges);
+  if (options.has("html")) program::write_text(options.text("html"), verify::report_html(result, ranges));
+  if (!quiet && json_path != "-" && !options.on_stdout("html")) std::cout << verify::report_text(result, ranges);
   write_violations(result, failures);
   if (options.has("certificate")) {
     const int written = verify::write_certificates(options.text("certificate"), list.cases, quiet);

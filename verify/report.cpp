@@ -1,5 +1,6 @@
 #include "verify/report.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -84,6 +85,96 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << ": " << c.violation->what << '\n';
   }
   return out.str();
+}
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string cell(const ordered_json& value) {
+  if (value.is_string()) return escaped(value.get<std::string>());
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& x : value) text += (text.empty() ? "" : " ") + (x.is_string() ? x.get<std::string>() : x.dump());
+  return text;
+}
+
+// Rows with the same keys, as a table with a line of headings.
+std::string html_table(const ordered_json& rows) {
+  std::string html = "<table>\n<tr>";
+  for (const auto& [key, value] : rows.front().items()) html += "<th>" + escaped(key) + "</th>";
+  html += "</tr>\n";
+  for (std::size_t i = 0; i < std::min(rows.size(), kRowsShown); ++i) {
+    html += "<tr>";
+    for (const auto& [key, value] : rows.front().items()) html += "<td>" + (rows[i].contains(key) ? cell(rows[i][key]) : "") + "</td>";
+    html += "</tr>\n";
+  }
+  html += "</table>\n";
+  if (rows.size() > kRowsShown) {
+    html += "<p>The first " + std::to_string(kRowsShown) + " of " + std::to_string(rows.size()) + " rows; the JSON report has them all.</p>\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string report_html(const CampaignResult& result, const Ranges& ranges) {
+  const ordered_json report = report_json(result, ranges);
+  std::string html = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>requad: the claims, one by one</title>
+<style>
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; }
+h2 { margin-top: 2.5rem; border-top: 1px solid #ccc; padding-top: 1rem; }
+table { border-collapse: collapse; font-size: 0.9rem; display: block; overflow-x: auto; }
+th, td { border: 1px solid #ccc; padding: 0.15rem 0.5rem; text-align: right; }
+.holds { color: #1b6e3a; } .fails { color: #b3261e; } .undecided { color: #8a5a00; }
+nav a { display: inline-block; margin-right: 0.7rem; }
+</style>
+</head>
+<body>
+<h1>The claims, one by one</h1>
+<p>Claims of Peng, Zhang, Kobayashi and Wonka, <em>Connectivity Editing for Quadrilateral Meshes</em> (2011), checked by
+computer. <em>Moves</em> explores from one configuration by every pair move until nothing is new; <em>search</em> fills the
+boundary with quads in every possible way, without any theorem.</p>
+<nav aria-label="claims">
+)";
+  for (const auto& c : report["claims"]) {
+    html += "<a class=\"" + c["verdict"].get<std::string>() + "\" href=\"#" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + "</a>\n";
+  }
+  html += "</nav>\n";
+  for (const auto& c : report["claims"]) {
+    const std::string verdict_text = c["verdict"];
+    html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + ": <span class=\"" + verdict_text + "\">" + verdict_text +
+            "</span></h2>\n<p>" + escaped(c["statement"]) + " <em>(" + escaped(c["where"]) + ")</em></p>\n<p>Compared: " + escaped(c["compares"]) +
+            ". Found by: " + escaped(cell(c["methods"])) + ". Range: " + escaped(c["range"]) + ".</p>\n";
+    if (!c["counterexample"].is_null()) {
+      html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " + escaped(c["counterexample"]["configuration"]) + " " +
+              escaped(c["counterexample"]["move"]) + ": " + escaped(c["counterexample"]["what"]) + "</p>\n";
+    }
+    if (!c["totals"].empty()) html += html_table(c["totals"]);
+    if (!c["table"].empty() && c["table"] != c["totals"]) html += "<details><summary>Region by region</summary>\n" + html_table(c["table"]) + "</details>\n";
+    html += "</section>\n";
+  }
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace requad::verify

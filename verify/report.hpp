@@ -19,6 +19,11 @@ nlohmann::ordered_json report_json(const CampaignResult& result, const Ranges& r
 // A line for each claim, and the violations at the end.
 std::string report_text(const CampaignResult& result, const Ranges& ranges);
 
+// One self-contained HTML page, claim by claim: statement, what the check compares, verdict, totals by family, and the
+// table (its first kRowsShown rows).
+inline constexpr std::size_t kRowsShown = 60;
+std::string report_html(const CampaignResult& result, const Ranges& ranges);
+
 // "holds", "fails", "undecided".
 const char* verdict(const ClaimResult& claim);
 
