@@ -59,6 +59,6 @@ Exploration explore_all(theory::PairType type, const theory::IntegerVector& side
 // The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n
 // edges and n moves from i to itself n / 2 edges. Throws std::logic_error if the moves do not pair up so. Apex::without
 // leaves the merged nodes out; nodes keep their order. `node_of` receives each graph vertex's exploration node.
-theory::ConfigurationGraph found_graph(const Exploration& exploration, theory::Apex apex, std::vector<int>* node_of = nullptr);
+theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex, std::vector<int>* node_of = nullptr);
 
 }  // namespace requad::enumerate

@@ -83,7 +83,7 @@ StripGrowth::StripGrowth(PairType type, Integer d1, Integer d2) {
 
 void StripGrowth::add_strip(int label) {
   const std::size_t k = sides_.size();
-  const std::size_t i = static_cast<std::size_t>(label - 1);
+  const auto i = static_cast<std::size_t>(label - 1);
   const Line inner = sides_[i];
   Line outer(inner.size());
   for (int& v : outer) v = new_vertex();

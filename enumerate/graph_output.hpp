@@ -14,9 +14,9 @@ namespace requad::enumerate {
 //   json      {"nodes":[{"d1":..,"d2":..,"p":..,"faces":..},...],"edges":[[i,j],...],"components":n}, an entry for each
 //             edge of the multigraph, a self-loop as [i,i], i <= j, sorted
 //   dot, graphml   the same attributes at the nodes
-nlohmann::ordered_json graph_json(const Exploration& exploration, theory::Apex apex);
-std::string graph_dot(const Exploration& exploration, theory::Apex apex);
-std::string graph_graphml(const Exploration& exploration, theory::Apex apex);
+nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex);
+std::string graph_dot(const Exploration& found, theory::Apex apex);
+std::string graph_graphml(const Exploration& found, theory::Apex apex);
 
 // The attributes of one node, as above.
 nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node);

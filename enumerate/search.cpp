@@ -142,7 +142,7 @@ class Filler {
     int last;
   };
 
-  Cell cell(const Hole& h, int i) const { return cells_[static_cast<std::size_t>(h.start + (i % h.length))]; }
+  Cell cell(const Hole& h, int i) const { return cells_[static_cast<std::size_t>(h.start) + static_cast<std::size_t>(i % h.length)]; }
   Cell at(const Chain& c, int i) const { return cell(c.hole, c.first + i); }
   bool adjacent(int a, int b) const {
     const auto& around = neighbours_[static_cast<std::size_t>(a)];

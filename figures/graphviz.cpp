@@ -1,5 +1,6 @@
 #include "figures/graphviz.hpp"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -27,9 +28,9 @@ void set(void* object, const char* name, const std::string& value) {
 }
 
 std::string points(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2f", x * kUnit + 0.0);
-  return buffer;
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.2f", x * kUnit + 0.0);
+  return buffer.data();
 }
 
 GraphPointer build(const GridFigure& figure) {

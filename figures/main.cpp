@@ -39,7 +39,7 @@ Examples:
 std::vector<std::string> choose(const program::Options& options, const char* name, std::vector<std::string> fallback,
                                 const std::vector<std::string>& known) {
   if (!options.has(name)) return fallback;
-  const std::vector<std::string> chosen = options.list(name);
+  std::vector<std::string> chosen = options.list(name);
   for (const std::string& word : chosen) {
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
     std::string expected;

@@ -32,7 +32,7 @@ std::vector<Eigen::Vector2d> boundary_positions_in_plane(const std::vector<int>&
       for (int j = 0; j < sides[static_cast<std::size_t>(s)]; ++j) {
         const double angle = kLensHalfAngle * (2.0 * j / sides[static_cast<std::size_t>(s)] - 1);
         const Eigen::Vector2d right(radius * std::cos(angle) - shift, radius * std::sin(angle));
-        points.push_back(s == 0 ? right : -right);
+        points.emplace_back(s == 0 ? right : Eigen::Vector2d(-right));
       }
     }
     return points;

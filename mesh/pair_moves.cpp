@@ -139,7 +139,8 @@ class Passage {
   }
 
   void roll_back() {
-    for (auto op = report_.undo.rbegin(); op != report_.undo.rend(); ++op) apply(m_, *op);
+    std::reverse(report_.undo.begin(), report_.undo.end());
+    for (const BasicOperation& op : report_.undo) apply(m_, op);
     const Refusal why = report_.refusal;
     report_ = MoveReport{};
     report_.refusal = why;
@@ -356,7 +357,8 @@ Refusal apply_all(QuadMesh& mesh, const std::vector<BasicOperation>& operations)
   for (const BasicOperation& op : operations) {
     const Applied done = apply(mesh, op);
     if (done.refusal != Refusal::none) {
-      for (auto back = undo.rbegin(); back != undo.rend(); ++back) apply(mesh, *back);
+      std::reverse(undo.begin(), undo.end());
+      for (const BasicOperation& back : undo) apply(mesh, back);
       return done.refusal;
     }
     undo.push_back(done.inverse);

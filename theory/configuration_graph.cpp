@@ -180,7 +180,7 @@ DualGrid dual_grid(const ConfigurationMap& map) {
         }
         node = static_cast<std::size_t>(here.target);
         // The face lies counter-clockwise after `at`, so clockwise before the move that leads back.
-        const std::size_t back = static_cast<std::size_t>(here.slot);
+        const auto back = static_cast<std::size_t>(here.slot);
         const std::size_t degree = map.nodes[node].moves.size();
         at = (back + degree - 1) % degree;
       } while (node != i || at != slot);

@@ -29,7 +29,7 @@ inline int reverse_step(int step) { return (step + 2) % kStepCount; }
 // A labelling (not necessarily canonical) reached from another one by a step, strips included; p stays. The result may
 // have entries out of range, which means that there is no such configuration: see is_configuration().
 Configuration stepped(PairType type, const Configuration& from, int step);
-bool is_configuration(const Configuration& labelling);
+bool is_configuration(const Configuration& c);
 
 // One end of a predicted edge.
 struct Dart {

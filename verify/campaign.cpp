@@ -61,12 +61,11 @@ void for_each_necklace(int k, Integer sum, Visit&& visit) {
 CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
   CaseList list;
   const auto add = [&](Family family, theory::PairType type, const IntegerVector& sides) {
-    if (theory::exact_count(type, sides) > 0) {
-      list.cases.push_back({family, type, sides});
-    } else if (theory::parameter_set(type, sides).empty()) {
+    // Empty only if both the closed form and the parameter set say so; if they differ, the claim will.
+    if (theory::exact_count(type, sides) == 0 && theory::parameter_set(type, sides).empty()) {
       ++list.empty[family];
     } else {
-      list.cases.push_back({family, type, sides});  // the count is wrong: let the claim say so
+      list.cases.push_back({family, type, sides});
     }
   };
   const auto regular = [&](Family family, theory::PairType type, program::Range lengths) {

@@ -240,7 +240,7 @@ void check(Lines& lines) {
   const std::string pair = lines.next("pair", 2)[1];
   const std::map<std::string, std::vector<int>> known{{"3-3", {3, 3}}, {"5-5", {5, 5}}, {"3-5", {3, 5}}};
   require(known.count(pair) > 0, "unknown pair");
-  const std::vector<int> valences = known.at(pair);
+  const std::vector<int>& valences = known.at(pair);
   const int side_count = valences[0] + valences[1] - 4;
   Boundary boundary;
   const auto sides = lines.next("sides", static_cast<std::size_t>(side_count) + 1);
