@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> boundary_positions_in_plane(const std::vector<int>&
   for (const int side : sides) {
     const Eigen::Vector2d from = on_circle(2 * std::numbers::pi * start / total);
     const Eigen::Vector2d to = on_circle(2 * std::numbers::pi * (start + side) / total);
-    for (int j = 0; j < side; ++j) points.push_back(from + (to - from) * (static_cast<double>(j) / side));
+    for (int j = 0; j < side; ++j) points.emplace_back(from + (to - from) * (static_cast<double>(j) / side));
     start += side;
   }
   return points;

@@ -3,6 +3,7 @@
 #include "mesh/signature.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
+#include "verify/errata.hpp"
 #include "verify/report.hpp"
 
 using namespace requad;
@@ -78,6 +79,18 @@ TEST_CASE("the HTML report has a section for each claim and is self-contained", 
   for (const Claim& c : claims()) CHECK(html.find("<h2 id=\"" + c.id + "\">") != std::string::npos);
   for (const char* outside : {"http:", "https:", "<script", "<link", "src="}) CHECK(html.find(outside) == std::string::npos);
   CHECK(html.find("</html>") != std::string::npos);
+}
+
+TEST_CASE("errata come with instances", "[verify]") {
+  const auto errata = find_errata();
+  CHECK(errata.size() == 5);
+  for (const Erratum& e : errata) {
+    CHECK(!e.instance.empty());
+    CHECK(e.written != e.found);
+  }
+  // By hand: 0 < m+n <= 1 has (1,0) and (0,1), one configuration; three quadrants of that in a hexagon.
+  CHECK(errata[0].instance == "digon of side 3: the set as written has 2 elements, there are 1 configurations");
+  CHECK(errata[1].instance == "hexagon of side 3: the set as written has 6 elements, there are 3 configurations");
 }
 
 // A check that can not fail is worse than none: falsify the facts it looks at, one by one.

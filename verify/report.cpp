@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "verify/errata.hpp"
+
 namespace requad::verify {
 
 using nlohmann::ordered_json;
@@ -40,7 +42,10 @@ std::string range_text(const Ranges& ranges, const std::set<Family>& families) {
 const char* verdict(const ClaimResult& c) { return c.violation ? "fails" : c.instances > 0 ? "holds" : "undecided"; }
 
 ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
-  ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}};
+  ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}, {"errata", ordered_json::array()}};
+  for (const Erratum& e : find_errata()) {
+    json["errata"].push_back({{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
+  }
   for (const ClaimResult& c : result.claims) {
     ordered_json table = c.table;
     ordered_json methods = ordered_json::array();
@@ -146,6 +151,7 @@ body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto
 h2 { margin-top: 2.5rem; border-top: 1px solid #ccc; padding-top: 1rem; }
 table { border-collapse: collapse; font-size: 0.9rem; display: block; overflow-x: auto; }
 th, td { border: 1px solid #ccc; padding: 0.15rem 0.5rem; text-align: right; }
+#errata ~ table td, #errata ~ table th { text-align: left; vertical-align: top; }
 .holds { color: #1b6e3a; } .fails { color: #b3261e; } .undecided { color: #8a5a00; }
 nav a { display: inline-block; margin-right: 0.7rem; }
 </style>
@@ -160,7 +166,7 @@ boundary with quads in every possible way, without any theorem.</p>
   for (const auto& c : report["claims"]) {
     html += "<a class=\"" + c["verdict"].get<std::string>() + "\" href=\"#" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + "</a>\n";
   }
-  html += "</nav>\n";
+  html += "<a href=\"#errata\">errata</a>\n</nav>\n";
   for (const auto& c : report["claims"]) {
     const std::string verdict_text = c["verdict"];
     html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + ": <span class=\"" + verdict_text + "\">" + verdict_text +
@@ -174,6 +180,8 @@ boundary with quads in every possible way, without any theorem.</p>
     if (!c["table"].empty() && c["table"] != c["totals"]) html += "<details><summary>Region by region</summary>\n" + html_table(c["table"]) + "</details>\n";
     html += "</section>\n";
   }
+  html += "<section>\n<h2 id=\"errata\">Errata</h2>\n<p>Slips in the text that the program found, each with the smallest region that shows it.</p>\n" +
+          html_table(report["errata"]) + "</section>\n";
   return html + "</body>\n</html>\n";
 }
 

@@ -13,7 +13,7 @@ namespace requad::verify {
 std::string range_text(const Ranges& ranges, const std::set<Family>& families);
 
 // {"claims":[{"id","statement","verdict","instances","range","methods","seconds","counterexample","table"},...],
-//  "passed":bool}. A claim without an instance is undecided. Claims without rows of their own have one for each family.
+//  "passed":bool, "errata":[{"where","written","found","instance"},...]}. A claim without an instance is undecided. Claims without rows of their own have one for each family.
 nlohmann::ordered_json report_json(const CampaignResult& result, const Ranges& ranges);
 
 // A line for each claim, and the violations at the end.
