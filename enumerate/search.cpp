@@ -100,7 +100,6 @@ class Filler {
     neighbours_[static_cast<std::size_t>(b)].push_back(a);
   }
   void add_face(const std::array<int, 4>& face) { faces_.push_back(face); }
-  Budget& budget() { return budget_; }
 
   // The boundary of a hole, counter-clockwise (the hole on the left), with the number of quads each vertex still needs.
   struct Cell {
