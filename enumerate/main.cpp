@@ -248,8 +248,9 @@ std::vector<int> irregular_valences(const Options& options) {
   return text.empty() ? std::vector<int>{} : as_ints(program::parse_integers(text, "--irregular"), "--irregular");
 }
 
-enumerate::SearchLimits search_limits(const Options& options) {
+enumerate::SearchLimits search_limits(const Options& options, program::Progress& progress) {
   enumerate::SearchLimits limits;
+  limits.progress = [&progress](std::int64_t states) { progress.advance(states); };
   limits.threads = options.threads();
   if (options.has("limit-seconds")) limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));
   if (options.has("max-faces")) limits.faces = static_cast<int>(options.integer("max-faces", 0, 1, enumerate::kMostFaces));
@@ -277,11 +278,13 @@ int search(const Options& options) {
     problem.interior_quads = as_ints(program::parse_integers(options.text("interior-quads"), "--interior-quads"), "--interior-quads");
   }
   if (const std::string what = enumerate::problem_with(problem); !what.empty()) throw UsageError("search: " + what);
-  const enumerate::SearchLimits limits = search_limits(options);
+  program::Progress progress("states", 0, options.quiet());
+  const enumerate::SearchLimits limits = search_limits(options, progress);
   if (enumerate::may_be_infinite(problem) && !limits.faces && !limits.seconds) {
     throw UsageError("search: these valences can close a tube of any length, so there may be infinitely many fillings; give --max-faces or --limit-seconds");
   }
   const enumerate::CountedSearch found = enumerate::count_fillings(problem, limits, options.has("list"));
+  progress.finish();
   const bool complete = found.outcome.complete();
 
   ordered_json json{{"sides", sides}, {"irregular", problem.irregular}};
@@ -314,7 +317,9 @@ int sphere(const Options& options) {
     throw UsageError("--vertices: " + options.text("vertices") + " is not within 4.." + std::to_string(enumerate::kMostFaces));
   }
   const std::vector<int> irregular = irregular_valences(options);
-  const enumerate::SphereOutcome found = enumerate::search_spheres(irregular, static_cast<int>(range.last), search_limits(options));
+  program::Progress progress("states", 0, options.quiet());
+  const enumerate::SphereOutcome found = enumerate::search_spheres(irregular, static_cast<int>(range.last), search_limits(options, progress));
+  progress.finish();
   const auto in_range = [&](const std::map<int, std::int64_t>& counts) {
     ordered_json json = ordered_json::object();
     for (auto v = range.first; v <= range.last; ++v) {

@@ -73,10 +73,14 @@ class Budget {
   int code_ = 0;
 };
 
+// How often a branch looks at the clock and tells of its progress.
+constexpr std::int64_t kStatesBetweenLooks = 1024;
+
 // What the branches of one search share.
 struct Shared {
   int face_limit = kMostFaces;
   std::optional<Clock::time_point> deadline;
+  std::function<void(std::int64_t)> progress;
   std::atomic<bool> stop{false};
   std::atomic<bool> face_limit_cut{false};
 };
@@ -157,7 +161,10 @@ class Filler {
       (*fork_)(*this, hole);
       return;
     }
-    if ((++states_ & 1023) == 0 && shared_->deadline && Clock::now() > *shared_->deadline) shared_->stop = true;
+    if (++states_ % kStatesBetweenLooks == 0) {
+      if (shared_->deadline && Clock::now() > *shared_->deadline) shared_->stop = true;
+      if (shared_->progress) shared_->progress(kStatesBetweenLooks);
+    }
     if (shared_->stop) return;
 
     const Hole h = holes_[static_cast<std::size_t>(hole)];
@@ -390,6 +397,7 @@ std::int64_t run_parallel(const Filler& start, int hole, int faces_before, int t
 
 void set_limits(Shared& shared, const SearchLimits& limits) {
   shared.face_limit = std::min(limits.faces.value_or(kMostFaces), kMostFaces);
+  shared.progress = limits.progress;
   if (limits.seconds) shared.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limits.seconds));
 }
 

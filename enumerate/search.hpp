@@ -50,6 +50,7 @@ struct SearchLimits {
   std::optional<int> faces;         // fillings with more faces are not looked for; at most kMostFaces
   std::optional<double> seconds;
   int threads = 0;                  // 0: all cores
+  std::function<void(std::int64_t)> progress;  // told now and then how many states were visited since; from any thread
 };
 
 // A filling: vertices 0..boundary-1 are the boundary, counter-clockwise.

@@ -128,8 +128,12 @@ Progress::Progress(std::string what, std::int64_t total, bool quiet)
     : what_(std::move(what)), total_(total), shown_(!quiet && isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()), last_(start_) {}
 
-Progress::~Progress() {
-  if (printed_) std::cerr << "\r\033[K";
+Progress::~Progress() { finish(); }
+
+void Progress::finish() {
+  const std::scoped_lock lock(mutex_);
+  if (printed_) std::cerr << "\r\033[K" << std::flush;
+  printed_ = false;
 }
 
 void Progress::advance(std::int64_t by) {

@@ -54,6 +54,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void advance(std::int64_t by = 1);
+  // Takes the counter off the screen, before other output; the destructor does so too.
+  void finish();
 
  private:
   std::string what_;
