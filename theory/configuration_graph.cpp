@@ -137,16 +137,10 @@ namespace {
 Configuration corner_centre(PairType type, const MapNode& node, std::size_t slot) {
   static constexpr std::array<GridPoint, 4> kBetween{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
   Configuration centre = node.labellings[slot];
-  const GridPoint shift = node.configuration.merged() ? GridPoint{1, 0} : kBetween[static_cast<std::size_t>(node.steps[slot])];
-  // At the merged node quadrant p is followed counter-clockwise by p - 1 = the labelling in which (x,0) is (0,x): the
-  // centre on the common axis is (0, 1, p).
-  if (node.configuration.merged()) {
-    centre.parameters.d1 = 0;
-    centre.parameters.d2 = shift.m;
-  } else {
-    centre.parameters.d1 += shift.m;
-    centre.parameters.d2 += shift.n;
-  }
+  // At the merged node quadrant p is followed counter-clockwise by p - 1; on their common axis (0,x,p) is (x,0,p-1).
+  const GridPoint shift = node.configuration.merged() ? GridPoint{0, 1} : kBetween[static_cast<std::size_t>(node.steps[slot])];
+  centre.parameters.d1 += shift.m;
+  centre.parameters.d2 += shift.n;
   Configuration bare = canonical(type, centre);
   if (bare.merged()) bare.p = 1;
   bare.parameters.e.resize(0);
