@@ -39,6 +39,13 @@ std::string_view explain(Refusal refusal) {
     case Refusal::touches_boundary: return "a boundary vertex would change its valence";
     case Refusal::no_such_step: return "the pair has no configuration in this direction";
     case Refusal::irregular_in_the_way: return "another irregular vertex is in the way";
+    case Refusal::breaks_feature: return "a feature edge would go";
+    case Refusal::no_way: return "no path leads the 3-5 pair to a vertex that can take it";
+    case Refusal::wrong_valences: return "the vertices do not have the valences that this needs";
+    case Refusal::odd_distance: return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";
+    case Refusal::lone_pair: return "a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)";
+    case Refusal::lone_vertex: return "a single irregular vertex can not be moved (Theorem 7.1)";
+    case Refusal::index: return "the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
   }
   return "";
 }

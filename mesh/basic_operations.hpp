@@ -38,7 +38,15 @@ enum class Refusal {
   not_one_fan,         // the two half-edges are not in one fan of their vertex in this order
   touches_boundary,    // a vertex that must keep its valence would change it (pair moves)
   no_such_step,        // the pair has no configuration in this direction (pair moves)
-  irregular_in_the_way // the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
+  irregular_in_the_way,// the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
+  breaks_feature,      // a feature edge would go (features.hpp)
+  no_way,              // no path leads the courier to a vertex that can take it (courier.hpp)
+  // What no sequence of operations can do (complementary.hpp):
+  wrong_valences,      // the vertices are not of the valences that this is about
+  odd_distance,        // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
+  lone_pair,           // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
+  lone_vertex,         // a single irregular vertex can not be moved (Theorem 7.1)
+  index                // discrete Gauss-Bonnet leaves no room (Equation 1)
 };
 // One short clause, without full stop.
 std::string_view explain(Refusal refusal);

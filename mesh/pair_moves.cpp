@@ -1,6 +1,7 @@
 #include "mesh/pair_moves.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
@@ -28,9 +29,6 @@ const char* name(PairStep step) {
 
 namespace {
 
-enum class Hand { left, right };
-Hand other(Hand hand) { return hand == Hand::left ? Hand::right : Hand::left; }
-
 struct Extents {
   int a;
   int b;
@@ -54,11 +52,13 @@ Extents after(const QuadMesh& m, const PairMove& move) {
 // Basic operations in sequence, with the courier's place. After a refusal everything is a no-op until the roll-back.
 class Passage {
  public:
-  Passage(QuadMesh& mesh, MoveReport& report, const PairFrame& pair) : m_(mesh), report_(report), changed_{pair.v1, pair.v2} {}
+  Passage(Editor& editor, const PairFrame& pair)
+      : editor_(editor), m_(editor.mesh()), start_(editor.mark()), changed_{pair.v1, pair.v2} {}
 
-  bool refused() const { return report_.refusal != Refusal::none; }
+  Refusal refusal() const { return refusal_; }
+  bool refused() const { return refusal_ != Refusal::none; }
   void refuse(Refusal why) {
-    if (!refused()) report_.refusal = why;
+    if (!refused()) refusal_ = why;
   }
 
   // Places the courier: h runs from its v3 (or what plays it) to its v5.
@@ -66,51 +66,14 @@ class Passage {
   VertexId v3() const { return m_.origin(at_); }
   VertexId v5() const { return m_.target(at_); }
 
-  // Splits the v5 along the path v3 - v5 - z, where z is the `turn`-th edge from v3 on the given hand. z becomes the v5;
-  // of the v5's two parts the one between z and v3 on that hand becomes the v3.
-  void split(Hand hand, int times = 1, int turn = 2) {
-    for (int i = 0; i < times && ready(); ++i) {
-      const HalfEdgeId back = m_.twin(at_);
-      if (hand == Hand::left) {
-        HalfEdgeId to_z = back;
-        for (int k = 0; k < turn; ++k) to_z = m_.cw(to_z);
-        if (run({BasicOperation::Kind::split, to_z, at_, 0})) at_ = to_z;
-      } else {
-        HalfEdgeId to_z = back;
-        for (int k = 0; k < turn; ++k) to_z = m_.ccw(to_z);
-        const HalfEdgeId from_z = m_.twin(to_z);
-        if (run({BasicOperation::Kind::split, back, from_z, 0})) at_ = m_.twin(from_z);
-      }
-    }
-  }
-
-  // Collapses the face on the given hand, v3 onto the corner opposite, which becomes the v5; the face's last corner
-  // becomes the v3.
-  void collapse(Hand hand, int times = 1) {
-    for (int i = 0; i < times && ready(); ++i) {
-      const HalfEdgeId keep = hand == Hand::left ? at_ : QuadMesh::next(m_.twin(at_));
-      const HalfEdgeId next_at = hand == Hand::left ? m_.twin(QuadMesh::opposite(at_)) : m_.twin(keep);
-      if (run({BasicOperation::Kind::collapse, keep, {}, 0})) at_ = next_at;
-    }
-  }
-
-  // Turns the v5's first edge on the given hand so that its end comes to v3; its other end becomes the v3.
-  void flip(Hand hand, int times = 1) {
-    for (int i = 0; i < times && ready(); ++i) {
-      if (hand == Hand::left) {
-        const HalfEdgeId edge = QuadMesh::next(at_);
-        if (run({BasicOperation::Kind::flip_cw, edge, {}, 0})) at_ = m_.twin(edge);
-      } else {
-        const HalfEdgeId edge = QuadMesh::previous(m_.twin(at_));
-        if (run({BasicOperation::Kind::flip_ccw, edge, {}, 0})) at_ = edge;
-      }
-    }
-  }
+  void split(Hand hand, int times = 1, int turn = 2) { step({CourierStep::Way::split, hand}, times, turn); }
+  void collapse(Hand hand, int times = 1) { step({CourierStep::Way::collapse, hand}, times); }
+  void flip(Hand hand, int times = 1) { step({CourierStep::Way::flip, hand}, times); }
 
   // One operation, unless it is illegal, changes a valence on the boundary or that of an irregular vertex beside the pair.
   bool run(const BasicOperation& op) {
     if (refused()) return false;
-    refuse(why_not(m_, op));
+    refuse(editor_.why_not(op));
     if (refused()) return false;
     const auto changed = changed_vertices(m_, op);
     for (const VertexId v : changed) {
@@ -119,11 +82,7 @@ class Passage {
       if (m_.face_valence(v) != 4 && changed_.count(v) == 0) refuse(Refusal::irregular_in_the_way);
     }
     if (refused()) return false;
-    const Applied done = apply(m_, op);
-    report_.operations.push_back(op);
-    report_.undo.push_back(done.inverse);
-    if (op.kind == BasicOperation::Kind::split) report_.faces_made.push_back(QuadMesh::face(done.made));
-    if (op.kind == BasicOperation::Kind::collapse) report_.faces_deleted.push_back(QuadMesh::face(op.h));
+    const Applied done = editor_.run(op);
     for (const VertexId v : changed) {
       if (v.valid()) changed_.insert(v);
     }
@@ -138,23 +97,39 @@ class Passage {
     }
   }
 
-  void roll_back() {
-    std::reverse(report_.undo.begin(), report_.undo.end());
-    for (const BasicOperation& op : report_.undo) apply(m_, op);
-    const Refusal why = report_.refusal;
-    report_ = MoveReport{};
-    report_.refusal = why;
+  void roll_back() { editor_.roll_back(start_); }
+
+  // What was done, in order.
+  MoveReport report() const {
+    MoveReport report;
+    for (std::size_t i = start_; i < editor_.mark(); ++i) {
+      const auto& [operates, op, inverse, placements] = editor_.edits()[i];
+      report.operations.push_back(op);
+      report.undo.push_back(inverse);
+      if (op.kind == BasicOperation::Kind::split) report.faces_made.push_back(QuadMesh::face(inverse.h));
+      if (op.kind == BasicOperation::Kind::collapse) report.faces_deleted.push_back(QuadMesh::face(op.h));
+    }
+    std::reverse(report.undo.begin(), report.undo.end());
+    return report;
   }
 
  private:
-  // Both ends of the courier must be interior for the operations above to find their half-edges.
-  bool ready() {
-    if (!refused() && (!at_.valid() || m_.is_boundary(v3()) || m_.is_boundary(v5()))) refuse(Refusal::touches_boundary);
-    return !refused();
+  void step(CourierStep step, int times, int turn = 2) {
+    for (int i = 0; i < times && !refused(); ++i) {
+      // Both ends of the courier must be interior for a step to find its half-edges.
+      if (!at_.valid() || m_.is_boundary(v3()) || m_.is_boundary(v5())) {
+        refuse(Refusal::touches_boundary);
+        return;
+      }
+      const PlannedStep planned = plan(m_, at_, step, turn);
+      if (run(planned.operation)) at_ = planned.courier(m_);
+    }
   }
 
-  QuadMesh& m_;
-  MoveReport& report_;
+  Editor& editor_;
+  const QuadMesh& m_;
+  std::size_t start_;
+  Refusal refusal_ = Refusal::none;
   HalfEdgeId at_;
   std::unordered_set<VertexId> changed_;  // what this move may find irregular: the pair, and what it changed itself
 };
@@ -308,17 +283,18 @@ std::vector<PairMove> parting_moves(const QuadMesh& m, VertexId merged) {
   return moves;
 }
 
-MoveReport move_pair(QuadMesh& m, const PairMove& move) {
-  MoveReport report;
+MoveReport move_pair(Editor& editor, const PairMove& move) {
+  const QuadMesh& m = editor.mesh();
+  MoveReport refused;
   const PairFrame& frame = move.frame;
   const Extents to = after(m, move);
   const bool merged = frame.v1 == frame.v2;
   const bool parts = merged && move.step == (m.valence(frame.v1) == 2 ? PairStep::close : PairStep::open);
   if (to.a < 0 || to.b < 0 || (merged && !parts)) {
-    report.refusal = Refusal::no_such_step;
-    return report;
+    refused.refusal = Refusal::no_such_step;
+    return refused;
   }
-  Passage passage(m, report, frame);
+  Passage passage(editor, frame);
   Ends ends{};
   switch (move.step) {
     case PairStep::slide_first: ends = slide(m, passage, frame, Hand::left); break;
@@ -327,24 +303,28 @@ MoveReport move_pair(QuadMesh& m, const PairMove& move) {
     case PairStep::close: ends = close(m, passage, frame); break;
   }
   if (!passage.refused()) passage.require_regular_except(ends.p, ends.q);
+  std::optional<PairFrame> found;
   if (!passage.refused()) {
     // Where a 3-5 move started at the v3, p is the v3; frames have the v5 first.
     if (m.valence(ends.p) < m.valence(ends.q)) std::swap(ends.p, ends.q);
     // The edge to v1 parts a v6 as it was; either face of a v2 does.
     const VertexId towards = m.valence(ends.p) == 6 ? frame.v1 : VertexId();
-    const auto found = frame_after(m, ends, to, towards);
-    if (found) {
-      report.inverse = {*found, inverse(move.step)};
-    } else {
-      passage.refuse(Refusal::irregular_in_the_way);
-    }
+    found = frame_after(m, ends, to, towards);
+    if (!found) passage.refuse(Refusal::irregular_in_the_way);
   }
   if (passage.refused()) {
     passage.roll_back();
-  } else {
-    std::reverse(report.undo.begin(), report.undo.end());
+    refused.refusal = passage.refusal();
+    return refused;
   }
+  MoveReport report = passage.report();
+  report.inverse = {*found, inverse(move.step)};
   return report;
+}
+
+MoveReport move_pair(QuadMesh& mesh, const PairMove& move) {
+  Editor editor(mesh);
+  return move_pair(editor, move);
 }
 
 Refusal why_not_move_pair(const QuadMesh& mesh, const PairMove& move) {

@@ -28,7 +28,7 @@
 #include <array>
 #include <vector>
 
-#include "mesh/basic_operations.hpp"
+#include "mesh/courier.hpp"
 #include "mesh/pair_frame.hpp"
 
 namespace requad::mesh {
@@ -62,6 +62,7 @@ struct MoveReport {
 
 // Makes the move, by checked basic operations only. If one is refused, all are undone: the mesh is as before, arrays and
 // free lists included, and the report holds the reason and nothing else.
+MoveReport move_pair(Editor& editor, const PairMove& move);
 MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
 // The reason move_pair() would give. Works on a copy: O(mesh).
 Refusal why_not_move_pair(const QuadMesh& mesh, const PairMove& move);

@@ -1,0 +1,78 @@
+// An editing session on one mesh: every change is checked, recorded and can be taken back.
+//
+// An editor performs basic operations on a mesh, refuses those that would break a feature, keeps the vertices' positions
+// (if it is given any) in step, and remembers each change together with its inverse. All the composite operations of
+// this folder, from the courier's steps to the reduction of a whole mesh, go through one.
+//
+// Law E1. roll_back(mark) restores the mesh of that mark with all ids and free ids, and the positions of its live
+//         vertices bit by bit.
+// Law E2. No position of a fixed vertex changes. A vertex is fixed if it lies on the boundary or on a feature.
+// Law E3. Whatever the editor performs keeps every feature edge (Law F of features.hpp).
+//
+// Costs: those of the basic operations; memory grows by the edits until forget().
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/features.hpp"
+
+namespace requad::mesh {
+
+using Positions = std::vector<Eigen::Vector3d>;  // by vertex slot
+
+// A vertex that got another position.
+struct Placement {
+  VertexId vertex;
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+};
+
+// One change: a basic operation with the placements that belong to it, or placements alone.
+struct Edit {
+  bool operates = false;
+  BasicOperation operation;  // if operates
+  BasicOperation inverse;    // if operates
+  std::vector<Placement> placements;
+};
+
+class Editor {
+ public:
+  // The mesh must outlive the editor, and so must features and positions (both optional: null). `positions` has an entry
+  // for every vertex slot and grows with the mesh.
+  explicit Editor(QuadMesh& mesh, const FeatureSet* features = nullptr, Positions* positions = nullptr);
+
+  const QuadMesh& mesh() const { return mesh_; }
+  const Positions* positions() const { return positions_; }
+  bool is_fixed(VertexId v) const { return mesh_.is_boundary(v) || is_feature(v); }
+  bool is_feature(VertexId v) const { return features_ != nullptr && features_->is_vertex(v); }
+
+  // Whether the operation is legal and keeps the features.
+  Refusal why_not(const BasicOperation& operation) const;
+  // Performs it, or leaves everything as it was. New positions: what a collapse merges lies halfway, unless one of the
+  // two is fixed; the parts of a split vertex move a little towards the faces they take.
+  Applied run(const BasicOperation& operation);
+  // Moves a vertex. Precondition: there are positions, and v is live and not fixed.
+  void place(VertexId v, const Eigen::Vector3d& position);
+
+  // The changes since the start, or since forget().
+  const std::vector<Edit>& edits() const { return edits_; }
+  std::size_t mark() const { return edits_.size(); }
+  // Takes back all edits after the first `mark` ones.
+  void roll_back(std::size_t mark = 0);
+  // Drops the memory of all edits, which can not be taken back any more.
+  void forget() { edits_.clear(); }
+
+ private:
+  void record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to);
+  void place_parts(HalfEdgeId made, Edit& edit);
+
+  QuadMesh& mesh_;
+  const FeatureSet* features_;
+  Positions* positions_;
+  std::vector<Edit> edits_;
+};
+
+}  // namespace requad::mesh
