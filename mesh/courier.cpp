@@ -23,7 +23,7 @@ PlannedStep plan(const QuadMesh& m, HalfEdgeId courier, CourierStep step, int tu
       result.operation = {BasicOperation::Kind::collapse, keep, {}, 0};
       result.next_v = m.origin(QuadMesh::opposite(keep));
       result.edge = m.twin(left ? QuadMesh::opposite(courier) : keep);
-      result.next_u = m.origin(result.edge);
+      result.next_u = left ? m.origin(QuadMesh::previous(courier)) : m.target(keep);
       break;
     }
     case CourierStep::Way::flip: {

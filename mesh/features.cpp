@@ -5,7 +5,7 @@
 namespace requad::mesh {
 
 std::uint64_t FeatureSet::key(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.index(), b.index());
+  const auto [low, high] = std::minmax({a.index(), b.index()});
   return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
 }
 

@@ -210,6 +210,19 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   Study not_single = single(3, 6);
   not_single.single = {quad.found.nodes[0].region};
   CHECK_FALSE(claim("B1").judge(not_single).applies);
+  fails("P4", digon, [](Study& x) {
+    // The configuration that a courier should make is forgotten.
+    for (auto& node : x.found.nodes) node.signature += "0";
+  });
+  fails("P4", quad, [&](Study& x) {
+    for (auto& node : x.found.nodes) node.signature += "0";
+  });
+  RegionCase three{Family::three_vertices, theory::PairType{4, 3}, sides({4, 4, 4}), {3, 3, 5}};
+  fails("N3", study(three, kBoth), [](Study& x) { x.searched->clear(); });
+  fails("N3", study(three, kBoth), [](Study& x) { x.searched->front() += "0"; });
+  three.sides = sides({2, 4, 6});
+  fails("N3", study(three, kBoth), [](Study& x) { x.searched_merged->clear(); });
+  fails("N3", study(three, kBoth), [](Study& x) { x.searched->push_back("0"); });
   // A1 at a pair that is not adjacent.
   const Study adjacent = study_of(Family::quad, theory::kQuad, sides({5, 4, 4, 5}));
   fails("A1", adjacent, [&](Study& x) {

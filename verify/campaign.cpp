@@ -102,6 +102,19 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
       }
     }
   }
+  if (families.count(Family::three_vertices) > 0) {
+    // Valences, and the largest perimeter: the number of fillings grows with its fourth power and more.
+    const std::vector<std::pair<std::vector<int>, Integer>> kinds{{{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
+    for (const auto& [valences, largest] : kinds) {
+      const int k = valences[0] + valences[1] + valences[2] - 8;
+      for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min(ranges.other_perimeter.last, largest); ++perimeter) {
+        if (perimeter < k || perimeter % 2 != 0) continue;
+        for_each_necklace(k, perimeter, [&](const std::vector<Integer>& sides) {
+          list.cases.push_back({Family::three_vertices, theory::PairType{k + 1, 3}, to_vector(sides), valences});
+        });
+      }
+    }
+  }
   return list;
 }
 

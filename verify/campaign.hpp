@@ -24,6 +24,7 @@ struct Ranges {
 // or without; and regular ones of side 2, 3, 4, 6 and 8 for valences 2..12, 4 being the regular grid.
 // All regions of the ranges that have a configuration, each once up to rotation of its sides. (The others have an empty
 // parameter set and an exact count of 0: counted in `empty`.) Families in order, then by perimeter, then by sides.
+// Regions with three of v3, v5, of perimeter up to 18 to 22.
 struct CaseList {
   std::vector<RegionCase> cases;
   std::map<Family, std::int64_t> empty;

@@ -108,7 +108,7 @@ int write_certificates(const std::string& folder, const std::vector<RegionCase>&
   int written = 0;
   for (const RegionCase& c : cases) {
     progress.advance();
-    if (c.family == Family::single_vertex) continue;
+    if (c.family == Family::single_vertex || c.family == Family::three_vertices) continue;
     const Study s = study(c, {Method::moves});
     if (s.found.nodes.empty()) continue;
     std::string file = c.type.name();

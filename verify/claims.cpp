@@ -51,6 +51,9 @@ const std::vector<Claim>& claims() {
        "labels read off the meshes before and after each move", kEqualPairs, {kMoves}, judge_distance_changed},
       {"P3", "section 6", "The length of the connecting path determines the faces created or deleted.",
        "faces of the meshes, faces reported by the move, the closed form of the face count, the length of the path", kPairs, {kMoves}, judge_faces},
+      {"P4", "section 6", "The transported pair may take any path, so a sharp feature stays untouched.",
+       "couriers sent in all directions with a feature on an edge that the direct way removes: the feature, the configurations they make, those that moves reach",
+       kPairs, {kMoves}, judge_detour},
       {"T1", "Theorem 7.1", "A single irregular vertex whose valence 4 does not divide has one configuration. (Sharp: in a regular region of side L, a v8 or v12 has (L-1)^2.)",
        "fillings found by search, positive solutions of the circulant system, glued", {single_vertex}, {kSearch}, judge_theorem_1},
       {"T2", "Theorem 7.2", "A regular digon of side L with a 3-3 pair has tau(L) configurations, parametrised by (m,n), four steps; a non-regular one has at most tau of the smallest regular digon around it.",
@@ -77,6 +80,9 @@ const std::vector<Claim>& claims() {
        "fillings of the boundary without irregular vertices, by search; pairs kept by all moves, sides of their meshes", {quad}, {kMoves, kSearch}, judge_no_cancelling},
       {"N2", "sections 1, 8", "In a regular region a 3-3 or 5-5 pair merges iff its graph distance is even, and it can always be aligned. (In a non-regular hexagon it merges iff there is room for the merged vertex.)",
        "graph distance on the mesh, what moves reach", kEqualPairs, {kMoves}, judge_merging},
+      {"N3", "section 1", "Three irregular vertices can be edited by cancelling or merging: a 3-5 pair is cancelled with the help of the third iff the region can be filled with one vertex, and then in every configuration.",
+       "every filling with three vertices, found by search: cancelled and merged by couriers and moves, the results among the fillings with one or two vertices that the search finds",
+       {three_vertices}, {kSearch}, judge_three_vertices},
       {"N4", "section 1", "The moves change the smallest possible region.", "the same move in the smallest convex region that holds both ends", kPairs, {kMoves}, judge_locality},
   };
   return kClaims;

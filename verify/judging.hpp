@@ -68,6 +68,9 @@ Judgement judge_distance_kept(const Study& s);     // P1
 Judgement judge_distance_changed(const Study& s);  // P2
 Judgement judge_faces(const Study& s);             // P3
 Judgement judge_locality(const Study& s);          // N4
+// claims_couriers.cpp
+Judgement judge_detour(const Study& s);            // P4
+Judgement judge_three_vertices(const Study& s);    // N3
 // claims_regions.cpp
 Judgement judge_gauss_bonnet(const Study& s);      // G1
 Judgement judge_lemma_8(const Study& s);

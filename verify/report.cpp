@@ -20,7 +20,8 @@ std::string range_of(Family family, const Ranges& ranges) {
     case Family::quad: return "3-5 regions of perimeter " + span(ranges.quad_perimeter);
     case Family::other_digon: return "non-regular digons of perimeter " + span(ranges.other_perimeter);
     case Family::other_hexagon: return "non-regular hexagons of perimeter " + span(ranges.other_perimeter);
-    case Family::single_vertex: return "regions with one irregular vertex";
+    case Family::single_vertex:
+    case Family::three_vertices: return name(family);
   }
   return "";
 }

@@ -1,6 +1,7 @@
 #include "verify/study.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "enumerate/generators.hpp"
@@ -17,6 +18,7 @@ const char* name(Family family) {
     case Family::other_digon: return "non-regular digons";
     case Family::other_hexagon: return "non-regular hexagons";
     case Family::single_vertex: return "regions with one irregular vertex";
+    case Family::three_vertices: return "regions with three irregular vertices";
   }
   return "";
 }
@@ -25,6 +27,10 @@ const char* name(Method method) { return method == Method::moves ? "moves" : "se
 
 std::string describe(const RegionCase& region) {
   std::string text = region.family == Family::single_vertex ? "v" + std::to_string(region.type.side_count()) : region.type.name();
+  if (region.family == Family::three_vertices) {
+    text.clear();
+    for (const int l : region.irregular) text += (text.empty() ? "" : "-") + std::to_string(l);
+  }
   text += " region with sides";
   for (const auto side : region.sides) text += " " + std::to_string(side);
   return text;
@@ -43,15 +49,37 @@ int Study::pairs_found() const {
 
 namespace {
 
-std::vector<std::string> fillings(const RegionCase& region, std::vector<int> irregular) {
+// All fillings of the region with these irregular valences, sorted by signature.
+std::map<std::string, mesh::Region> filled(const RegionCase& region, std::vector<int> irregular) {
   const std::vector<int> sides(region.sides.begin(), region.sides.end());
   enumerate::SearchLimits limits;
   limits.threads = 1;  // regions are what runs in parallel
-  std::vector<std::string> found;
-  enumerate::search(enumerate::search_problem(sides, std::move(irregular)), limits,
-                    [&found](const enumerate::Filling& f) { found.push_back(mesh::signature(enumerate::region_of(f))); });
-  std::sort(found.begin(), found.end());
+  std::map<std::string, mesh::Region> found;
+  enumerate::search(enumerate::search_problem(sides, std::move(irregular)), limits, [&found](const enumerate::Filling& f) {
+    mesh::Region r = enumerate::region_of(f);
+    std::string signature = mesh::signature(r);
+    if (!found.emplace(std::move(signature), std::move(r)).second) throw std::logic_error("the search made one filling twice");
+  });
   return found;
+}
+
+std::vector<std::string> fillings(const RegionCase& region, std::vector<int> irregular) {
+  std::vector<std::string> signatures;
+  for (auto& [signature, filling] : filled(region, std::move(irregular))) signatures.push_back(signature);
+  return signatures;
+}
+
+// Three vertices, and what they can become.
+void study_three(Study& s) {
+  const std::vector<int>& valences = s.region.irregular;
+  for (auto& [signature, filling] : filled(s.region, valences)) s.fillings.push_back(std::move(filling));
+  s.searched.emplace();
+  s.searched_merged.emplace();
+  const int one = s.region.type.side_count();
+  if (valences.front() == 3 && valences.back() == 5) s.searched = fillings(s.region, {one});
+  // Two of the three are equal, the middle one among them.
+  const bool low = valences[0] == valences[1];
+  s.searched_merged = fillings(s.region, {2 * valences[1] - 4, low ? valences[2] : valences[0]});
 }
 
 std::string step_text(const theory::Configuration& from, const theory::Configuration& to) {
@@ -69,6 +97,10 @@ Study study(const RegionCase& region, const std::set<Method>& methods) {
   Study s;
   s.region = region;
   const bool search = methods.count(Method::search) > 0;
+  if (region.family == Family::three_vertices) {
+    if (search) study_three(s);
+    return s;
+  }
   if (region.family == Family::single_vertex) {
     const int valence = region.type.side_count();
     for (theory::IntegerVector& e : theory::solve_circulant(region.sides)) {

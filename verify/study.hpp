@@ -15,7 +15,7 @@
 
 namespace requad::verify {
 
-enum class Family { regular_digon, regular_hexagon, quad, other_digon, other_hexagon, single_vertex };
+enum class Family { regular_digon, regular_hexagon, quad, other_digon, other_hexagon, single_vertex, three_vertices };
 const char* name(Family family);  // "regular digons", ...
 
 // How configurations are found: by pair moves from one of them, or by filling the boundary without any theorem.
@@ -23,11 +23,12 @@ enum class Method { moves, search };
 const char* name(Method method);
 
 // What to study. A region for a single irregular vertex of valence k has k sides; its type is {k + 1, 3}, whose merged
-// configurations they are.
+// configurations they are. So is that of a region for three vertices, which would become that one if they could.
 struct RegionCase {
   Family family;
   theory::PairType type;
   theory::IntegerVector sides;
+  std::vector<int> irregular = {};  // three vertices only: their valences
 };
 
 struct Study {
@@ -41,6 +42,9 @@ struct Study {
   // Found by search: signatures of all fillings with the pair, and with the merged vertex alone; nothing if not asked for.
   std::optional<std::vector<std::string>> searched;
   std::optional<std::vector<std::string>> searched_merged;
+  // Three vertices: all fillings, by search. `searched` are those with one vertex instead (if a v3 is cancelled with a v5),
+  // `searched_merged` those with two (if equal ones are merged); empty if the valences do not allow it.
+  std::vector<mesh::Region> fillings;
   // Predicted configurations of a single vertex, glued.
   std::vector<mesh::Region> single;
 
