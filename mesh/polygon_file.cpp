@@ -1,6 +1,7 @@
 #include "mesh/polygon_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -14,6 +15,8 @@ namespace {
 
 // --- reading ---------------------------------------------------------------------------------------------------------
 
+// Products of four lengths, which geometry takes, are finite still.
+constexpr double kLargestCoordinate = 1e70;
 constexpr std::int64_t kMostVertices = std::numeric_limits<int>::max();
 
 bool has_repetition(std::span<const int> face) {
@@ -53,7 +56,10 @@ PolygonMesh finished(PolygonMesh m, const TextScanner& scanner) {
 
 Eigen::Vector3d read_position(TextScanner& scanner) {
   Eigen::Vector3d p;
-  for (double& coordinate : p) coordinate = scanner.number("a coordinate");
+  for (double& coordinate : p) {
+    coordinate = scanner.number("a coordinate");
+    if (std::abs(coordinate) > kLargestCoordinate) scanner.fail("a coordinate is larger than 1e70");
+  }
   while (!scanner.at_end_of_line()) scanner.number("a number");
   return p;
 }

@@ -11,7 +11,7 @@
 // Laws
 //   F1  Vertices and faces come in the file's order, a face's corners in its line's order from its first.
 //   F2  A file that is read has at least one face; each has at least three corners, which differ and exist;
-//       coordinates are finite.
+//       coordinates are within 1e70 of 0.
 //   F3  Anything else is one line "file:line: reason" (MeshError); a file that can not be read, a program::UsageError.
 //   F4  Memory is proportional to the file's size, whatever a header promises.
 // Why not tinyobjloader: it takes a malformed number for 0 and does not know in which line it stood (laws F2, F3).
