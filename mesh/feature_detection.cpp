@@ -12,6 +12,20 @@ namespace {
 
 std::array<VertexId, 2> edge(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
+// From a to b along what was an edge in the file: a, b, or by the edge's middle if it was subdivided; empty if it was
+// none.
+std::vector<VertexId> edge_path(const Surface& surface, VertexId a, VertexId b) {
+  if (surface.mesh.adjacent(a, b)) return {a, b};
+  // After subdividing, a vertex of the file has edges to the middles of its edges only, and each of those to two of the
+  // file's vertices. (Before, no vertex is beyond the file's, and nothing is in the middle.)
+  const auto in_file = [&surface](VertexId v) { return surface.file_vertex[v.slot()] < surface.file_vertices; };
+  if (!in_file(a) || !in_file(b)) return {};
+  for (const VertexId middle : surface.mesh.neighbours(a)) {
+    if (!in_file(middle) && surface.mesh.adjacent(middle, b)) return {a, middle, b};
+  }
+  return {};
+}
+
 }  // namespace
 
 FeatureEdges sharp_edges(const QuadMesh& m, const Positions& positions, double degrees) {
@@ -59,12 +73,15 @@ FeatureEdges parse_feature_edges(std::string_view text, const std::string& name,
       const VertexId v = vertex(word);
       if (++count > 2 && !chain) scanner.fail("more than two vertices; expected an edge, or a chain after `l`");
       if (count > 1) {
-        if (!surface.mesh.adjacent(last, v)) {
+        const std::vector<VertexId> path = edge_path(surface, last, v);
+        if (path.empty()) {
           const auto number = [&surface](VertexId u) { return std::to_string(surface.file_vertex[u.slot()] + 1); };
           scanner.fail("no edge joins the vertices " + number(last) + " and " + number(v));
         }
-        const HalfEdgeId h = surface.mesh.find_half_edge(last, v);
-        if (h.valid() && !surface.mesh.is_boundary(h)) edges.push_back(edge(last, v));
+        for (std::size_t i = 1; i < path.size(); ++i) {
+          const HalfEdgeId h = surface.mesh.find_half_edge(path[i - 1], path[i]);
+          if (h.valid() && !surface.mesh.is_boundary(h)) edges.push_back(edge(path[i - 1], path[i]));
+        }
       }
       last = v;
     }

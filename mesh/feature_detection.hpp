@@ -1,5 +1,4 @@
-// Feature edges: edges of the surface that edits should keep. Found where the surface bends sharply, or read from a
-// file.
+// Feature edges: edges of the surface that edits should keep, found where it bends sharply or read from a file.
 //
 // Boundary edges are features always and are not listed.
 #pragma once
@@ -23,8 +22,9 @@ FeatureEdges sharp_edges(const QuadMesh& mesh, const Positions& positions, doubl
 // The edges that a text file lists: two vertices in a line, `12 40`, or the `l` lines of OBJ, `l 12 40 41`, for a chain
 // of edges. Vertices are counted from 1 in the order of the file that the surface was read from, whatever its format,
 // and negative ones back from its last; other lines of an OBJ file are skipped, so that one file can hold mesh and
-// features. Edges of the boundary may be listed. Throws MeshError "file:line: reason" for a vertex that does not exist
-// and two vertices that no edge joins, program::UsageError for a file that can not be read. O(size * valence).
+// features. An edge of the file that was subdivided stands for its two halves. Edges of the boundary may be listed.
+// Throws MeshError "file:line: reason" for a vertex that does not exist and two vertices that no edge joins,
+// program::UsageError for a file that can not be read. O(size * valence).
 FeatureEdges read_feature_edges(const std::string& path, const Surface& surface);
 FeatureEdges parse_feature_edges(std::string_view text, const std::string& name, const Surface& surface);
 

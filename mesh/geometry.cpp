@@ -93,9 +93,9 @@ double dihedral_angle(const QuadMesh& m, const Positions& positions, HalfEdgeId 
   const Vector3d left = face_normal(m, positions, QuadMesh::face(h));
   const Vector3d right = face_normal(m, positions, QuadMesh::face(t));
   if (left.isZero(0) || right.isZero(0)) return 0;
-  const Vector3d turn = right.cross(left);
+  const Vector3d turn = left.cross(right);
   const double angle = std::atan2(turn.norm(), left.dot(right));
-  // Along the edge, with the left face's normal up, a ridge turns the normal to the left.
+  // Over a ridge the normal turns, from the left face to the right one, about the edge's own direction.
   return turn.dot(positions[m.target(h).slot()] - positions[m.origin(h).slot()]) >= 0 ? angle : -angle;
 }
 

@@ -383,6 +383,7 @@ PolygonMesh subdivide(const PolygonMesh& m) {
 
 Surface to_quad_mesh(const PolygonMesh& m) {
   Surface s;
+  s.file_vertices = static_cast<int>(m.positions.size());
   s.from_file.assign(m.positions.size(), -1);
   for (const int v : m.corners) s.from_file[static_cast<std::size_t>(v)] = 0;
   for (std::size_t v = 0; v < m.positions.size(); ++v) {
@@ -419,7 +420,9 @@ Surface read_surface(const std::string& path, bool subdivided) {
   const PolygonMesh polygons = read_polygon_mesh(path);
   if (!subdivided) return to_quad_mesh(polygons);
   try {
-    return to_quad_mesh(subdivide(polygons));
+    Surface s = to_quad_mesh(subdivide(polygons));
+    s.file_vertices = static_cast<int>(polygons.positions.size());
+    return s;
   } catch (const MeshError&) {
     // In the terms of the file, which knows none of the new vertices.
     if (const std::string problem = manifold_problem(polygons); !problem.empty()) throw MeshError(problem);

@@ -70,13 +70,14 @@ struct Surface {
   std::vector<int> file_vertex;  // by vertex slot: the vertex of the polygon mesh, 0-based
   std::vector<int> from_file;    // by vertex of the polygon mesh: the slot, or -1 if no face has it
   int dropped = 0;               // vertices that no face has: a QuadMesh has none such
+  int file_vertices = 0;         // how many the file has: the first of from_file, which has more if it was subdivided
 };
 
 // Vertices that no face has are dropped, the others keep their order; face i is FaceId(i) with its first corner first.
 // Throws MeshError, one line as in F3: a face that is no quad, or the manifold_problem().
 Surface to_quad_mesh(const PolygonMesh& polygons);
 
-// Both: what a program does with a file it is given.
+// From the file to the mesh: what a program does with a file it is given.
 Surface read_surface(const std::string& path, bool subdivided);
 
 }  // namespace requad::mesh
