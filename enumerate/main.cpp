@@ -8,10 +8,11 @@
 
 #include "enumerate/generators.hpp"
 #include "enumerate/graph_output.hpp"
-#include "enumerate/options.hpp"
+#include "mesh/options.hpp"
 #include "enumerate/realisation.hpp"
 #include "enumerate/search.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/polygon_file.hpp"
 #include "mesh/program.hpp"
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
@@ -44,6 +45,9 @@ constexpr const char* kHelp = R"(requad-enumerate: regions of quad meshes, their
       --irregular '' asks for regular grids; --list prints a signature for each filling
   requad-enumerate sphere --irregular L1,L2,... --vertices A..B [--list] [--limit-seconds S]
       all closed quad spheres with these irregular valences, up to isomorphism
+  requad-enumerate signature FILE [--subdivide]
+      the canonical signature of a mesh in an OBJ or OFF file, one for it and its mirror image: two files print the same
+      line iff their meshes are isomorphic; --subdivide cuts each polygon into quads first
   requad-enumerate signature --from-signature TEXT [-o FILE.obj]
       checks a signature, and draws the region that it names
 
@@ -56,6 +60,7 @@ Examples:
   requad-enumerate path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o result.obj
   requad-enumerate search --sides 6,6,6 --irregular 3,3,5
   requad-enumerate sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..20
+  requad-enumerate signature bunny.obj
 )";
 
 IntegerVector to_vector(const std::vector<std::int64_t>& values) {
@@ -122,12 +127,7 @@ PairType required_pair(const Options& options) {
   return parse_pair(options.text("pair"));
 }
 
-// The JSON where it was asked for, the text on standard output unless that is taken.
-void finish(const Options& options, const ordered_json& summary, const std::string& text) {
-  options.one_on_stdout({"json", "output"});
-  if (options.has("json")) program::write_text(options.text("json"), summary.dump() + "\n");
-  if (!options.on_stdout("json") && !options.on_stdout("output") && !options.quiet()) std::cout << text;
-}
+void finish(const Options& options, const ordered_json& summary, const std::string& text) { program::finish(options, summary.dump(), text); }
 
 std::vector<int> as_ints(const IntegerVector& v) { return {v.begin(), v.end()}; }
 
@@ -340,9 +340,27 @@ int sphere(const Options& options) {
   return found.complete ? program::kDone : program::kUndecided;
 }
 
-int signature(const Options& options) {
+// The signature of a mesh in a file, which is connected but else as it may be.
+int file_signature(const Options& options, const std::string& path) {
+  options.allow_only("signature FILE", {"subdivide"});
+  const mesh::QuadMesh m = mesh::read_surface(path, options.has("subdivide")).mesh;
+  if (const int components = mesh::component_count(m); components != 1) {
+    throw UsageError(path + ": the mesh has " + std::to_string(components) + " components; a signature names one");
+  }
+  const std::string kept = mesh::canonical_signature(m), mirrored = mesh::canonical_signature(m, mesh::Orientation::mirrored);
+  const std::string& canonical = std::min(kept, mirrored);
+  const bool open = mesh::boundary_loop_count(m) > 0;
+  finish(options, {{"vertices", m.vertex_count()}, {"faces", m.face_count()}, {"closed", !open}, {"canonical", canonical}, {"oriented", kept}, {"chiral", kept != mirrored}},
+         canonical + "\n");
+  return program::kDone;
+}
+
+int signature(const Options& options, const std::vector<std::string>& words) {
+  if (words.size() > 1 || words.empty() != options.has("from-signature")) {
+    throw UsageError("signature: expected either a mesh file or --from-signature");
+  }
+  if (!words.empty()) return file_signature(options, words.front());
   options.allow_only("signature", {"from-signature", "output"});
-  if (!options.has("from-signature")) throw UsageError("signature: --from-signature is missing");
   const mesh::Region rebuilt = mesh::from_signature(options.text("from-signature"));
   const bool open = mesh::boundary_loop_count(rebuilt.mesh) > 0;
   if (options.has("output")) {
@@ -356,7 +374,7 @@ int signature(const Options& options) {
 }
 
 int main_body(int argc, char** argv) {
-  const Options options(argc, argv, {{"with-apex", "list"},
+  const Options options(argc, argv, {{"with-apex", "list", "subdivide"},
                                      {"output,o", "generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
                                       "vertices", "limit-seconds", "max-faces", "from-signature"},
                                      {}});
@@ -366,12 +384,12 @@ int main_body(int argc, char** argv) {
   const std::string command = words.front();
   words.erase(words.begin());
   if (command == "region") return region(options, words);
+  if (command == "signature") return signature(options, words);
   if (!words.empty()) throw UsageError(command + ": unexpected argument '" + words.front() + "'; see --help");
   if (command == "graph") return graph(options);
   if (command == "path") return path(options);
   if (command == "search") return search(options);
   if (command == "sphere") return sphere(options);
-  if (command == "signature") return signature(options);
   throw UsageError("'" + command + "' is not one of region, graph, path, search, sphere, signature; see --help");
 }
 

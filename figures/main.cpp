@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "enumerate/options.hpp"
+#include "mesh/options.hpp"
 #include "figures/graphviz.hpp"
 
 namespace {

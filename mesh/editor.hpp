@@ -18,10 +18,9 @@
 #include <Eigen/Core>
 
 #include "mesh/features.hpp"
+#include "mesh/geometry.hpp"
 
 namespace requad::mesh {
-
-using Positions = std::vector<Eigen::Vector3d>;  // by vertex slot
 
 // A vertex that got another position.
 struct Placement {

@@ -1,30 +1,59 @@
 #include "mesh/obj.hpp"
 
-#include <locale>
-#include <sstream>
+#include <charconv>
 
 #include "mesh/embedding.hpp"
 #include "mesh/program.hpp"
 
 namespace requad::mesh {
 
-void write_obj(std::ostream& out, const QuadMesh& m, const std::vector<Eigen::Vector2d>& positions,
-               const std::vector<std::string>& comments) {
-  out.imbue(std::locale::classic());
-  out.precision(9);
-  for (const std::string& comment : comments) out << "# " << comment << '\n';
-  for (const VertexId v : m.vertices()) out << "v " << positions[v.slot()].x() << ' ' << positions[v.slot()].y() << " 0\n";
-  for (const auto& face : m.compact_faces()) {
-    out << 'f';
-    for (const int corner : face) out << ' ' << corner + 1;
-    out << '\n';
+namespace {
+
+template <class Number>
+void append(std::string& text, Number value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text.append(buffer, end);
+}
+
+std::string obj_text(const QuadMesh& m, const Positions& positions, const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + '\n';
+  for (const VertexId v : m.vertices()) {
+    text += 'v';
+    for (const double coordinate : positions[v.slot()]) {
+      text += ' ';
+      append(text, coordinate);
+    }
+    text += '\n';
   }
+  for (const auto& face : m.compact_faces()) {
+    text += 'f';
+    for (const int corner : face) {
+      text += ' ';
+      append(text, corner + 1);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_obj(std::ostream& out, const QuadMesh& m, const Positions& positions,
+               const std::vector<std::string>& comments) {
+  out << obj_text(m, positions, comments);
+}
+
+void save_obj(const std::string& path, const QuadMesh& m, const Positions& positions,
+              const std::vector<std::string>& comments) {
+  program::write_text(path, obj_text(m, positions, comments));
 }
 
 void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments) {
-  std::ostringstream text;
-  write_obj(text, region.mesh, embed(region), comments);
-  program::write_text(path, text.str());
+  Positions positions;
+  for (const Eigen::Vector2d& p : embed(region)) positions.emplace_back(p.x(), p.y(), 0);
+  save_obj(path, region.mesh, positions, comments);
 }
 
 }  // namespace requad::mesh

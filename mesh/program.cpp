@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -49,6 +50,18 @@ std::int64_t parse_integer(std::string_view text, std::string_view what) {
   }
   if (error != std::errc() || end != text.data() + text.size()) {
     throw UsageError(std::string(what) + ": '" + std::string(text) + "' is not an integer");
+  }
+  return value;
+}
+
+double parse_number(std::string_view text, std::string_view what) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::invalid_argument || end != text.data() + text.size()) {
+    throw UsageError(std::string(what) + ": '" + std::string(text) + "' is not a number");
+  }
+  if (error != std::errc() || !std::isfinite(value)) {
+    throw UsageError(std::string(what) + ": " + std::string(text) + " is not a finite number");
   }
   return value;
 }

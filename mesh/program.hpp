@@ -32,6 +32,8 @@ int run(std::string_view name, const std::function<int()>& body);
 
 // A decimal integer and nothing else; `what` names it in the error.
 std::int64_t parse_integer(std::string_view text, std::string_view what);
+// A finite decimal number and nothing else.
+double parse_number(std::string_view text, std::string_view what);
 // "6,6,6".
 std::vector<std::int64_t> parse_integers(std::string_view text, std::string_view what);
 // "3..24", or "7" for 7..7; first <= last.

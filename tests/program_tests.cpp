@@ -1,9 +1,7 @@
 // The programs from outside: exit codes, one clear line for bad input, nothing half written.
 #include <sys/stat.h>
-#include <sys/wait.h>
 
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,49 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
+#include "tests/programs.hpp"
 
-namespace {
-
+using namespace requad::tests;
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string slurp(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-fs::path scratch() {
-  static const fs::path folder = [] {
-    std::string name = (fs::temp_directory_path() / "requad-tests-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    return fs::path(name);
-  }();
-  return folder;
-}
-
-Outcome call(const std::string& program, const std::string& arguments) {
-  const fs::path err = scratch() / "stderr";
-  const std::string command = "cd '" + scratch().string() + "' && '" REQUAD_PROGRAM_DIR "/requad-" + program + "' " + arguments + " 2>'" + err.string() + "'";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Outcome outcome;
-  char buffer[4096];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.out.append(buffer, n);
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  outcome.err = slurp(err);
-  return outcome;
-}
-
-}  // namespace
-
 TEST_CASE("help and version", "[programs]") {
-  for (const std::string program : {"enumerate", "verify", "figures"}) {
+  for (const std::string program : {"enumerate", "verify", "figures", "edit"}) {
     const Outcome help = call(program, "--help");
     CHECK(help.code == 0);
     CHECK(help.out.find("Examples:") != std::string::npos);

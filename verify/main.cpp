@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "enumerate/options.hpp"
+#include "mesh/options.hpp"
 #include "mesh/obj.hpp"
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"

@@ -1,7 +1,9 @@
-#include "enumerate/options.hpp"
+#include "mesh/options.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
+#include <limits>
 
 #include <boost/program_options.hpp>
 
@@ -13,6 +15,11 @@ namespace {
 
 constexpr std::initializer_list<const char*> kCommon{"help", "version", "quiet", "json", "threads"};
 
+std::string shown(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
 }  // namespace
 
 Options::Options(int argc, char** argv, const OptionTable& table) {
@@ -22,13 +29,19 @@ Options::Options(int argc, char** argv, const OptionTable& table) {
   for (const std::string& flag : table.flags) all.add_options()(flag.c_str(), "");
   value("json"), value("threads");
   for (const std::string& name : table.values) value(name);
-  for (const std::string& name : table.lists) all.add_options()(name.c_str(), po::value<std::vector<std::string>>(), "");
+  for (const std::string& name : table.lists)
+    all.add_options()(name.c_str(), po::value<std::vector<std::string>>(), "");
   all.add_options()(" words", po::value<std::vector<std::string>>(), "");
   po::positional_options_description positional;
   positional.add(" words", -1);
   try {
     using Style = po::command_line_style::style_t;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(Style::unix_style & ~Style::allow_guessing).run(), map_);
+    po::store(po::command_line_parser(argc, argv)
+                  .options(all)
+                  .positional(positional)
+                  .style(Style::unix_style & ~Style::allow_guessing)
+                  .run(),
+              map_);
   } catch (const po::error& error) {
     throw UsageError(std::string(error.what()) + "; see --help");
   }
@@ -46,11 +59,24 @@ std::vector<std::string> Options::list(const std::string& name) const {
 
 int Options::threads() const { return static_cast<int>(integer("threads", 0, 1, 1024)); }
 
-std::int64_t Options::integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const {
+std::int64_t Options::integer(const std::string& name, std::int64_t fallback, std::int64_t low,
+                              std::int64_t high) const {
   if (!has(name)) return fallback;
   const std::int64_t value = parse_integer(text(name), "--" + name);
   if (value < low || value > high) {
-    throw UsageError("--" + name + ": " + std::to_string(value) + " is not in " + std::to_string(low) + ".." + std::to_string(high));
+    throw UsageError("--" + name + ": " + std::to_string(value) + " is not in " + std::to_string(low) + ".." +
+                     std::to_string(high));
+  }
+  return value;
+}
+
+double Options::number(const std::string& name, double fallback, double low, double high) const {
+  if (!has(name)) return fallback;
+  const double value = parse_number(text(name), "--" + name);
+  if (value < low || value > high) {
+    const bool bounded = high < std::numeric_limits<double>::max();
+    throw UsageError("--" + name + ": " + text(name) + " is not " +
+                     (bounded ? "in " + shown(low) + ".." + shown(high) : shown(low) + " or more"));
   }
   return value;
 }
@@ -58,7 +84,9 @@ std::int64_t Options::integer(const std::string& name, std::int64_t fallback, st
 void Options::allow_only(const std::string& command, std::initializer_list<const char*> names) const {
   for (const auto& [name, value] : map_) {
     const auto is = [&name = name](const char* other) { return name == other; };
-    if (name == " words" || std::any_of(kCommon.begin(), kCommon.end(), is) || std::any_of(names.begin(), names.end(), is)) continue;
+    if (name == " words" || std::any_of(kCommon.begin(), kCommon.end(), is) ||
+        std::any_of(names.begin(), names.end(), is))
+      continue;
     throw UsageError(command + ": has no use for --" + name + "; see --help");
   }
 }
@@ -67,6 +95,12 @@ void Options::one_on_stdout(std::initializer_list<const char*> names) const {
   if (std::count_if(names.begin(), names.end(), [this](const char* name) { return on_stdout(name); }) > 1) {
     throw UsageError("two outputs can not both go to standard output");
   }
+}
+
+void finish(const Options& options, const std::string& json, const std::string& text) {
+  options.one_on_stdout({"json", "output"});
+  if (options.has("json")) write_text(options.text("json"), json + "\n");
+  if (!options.on_stdout("json") && !options.on_stdout("output") && !options.quiet()) std::cout << text;
 }
 
 bool answered(const Options& options, const char* name, const char* version, const char* help) {

@@ -16,8 +16,8 @@ namespace requad::program {
 // --help, --version, --quiet, --json and --threads besides.
 struct OptionTable {
   std::vector<std::string> flags;
-  std::vector<std::string> values;     // take a value, given once
-  std::vector<std::string> lists;      // take a value, may be repeated
+  std::vector<std::string> values;  // take a value, given once
+  std::vector<std::string> lists;   // take a value, may be repeated
 };
 
 class Options {
@@ -34,6 +34,7 @@ class Options {
   int threads() const;
   // The value as an integer in low..high, or the fallback. The error names the option and the range.
   std::int64_t integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
+  double number(const std::string& name, double fallback, double low, double high) const;
 
   // Throws UsageError if an option other than these and the common ones is given: `command` has no use for it.
   void allow_only(const std::string& command, std::initializer_list<const char*> names) const;
@@ -45,6 +46,9 @@ class Options {
   boost::program_options::variables_map map_;
   std::vector<std::string> words_;
 };
+
+// How a command ends: the JSON where --json asks for it, the text on standard output unless that is taken or --quiet.
+void finish(const Options& options, const std::string& json, const std::string& text);
 
 // Prints the help or the version if asked for; true if that was all there was to do.
 bool answered(const Options& options, const char* name, const char* version, const char* help);
