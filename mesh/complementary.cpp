@@ -42,21 +42,6 @@ void update_helpers(const QuadMesh& m, const Transport& journey, std::vector<Ver
 
 }  // namespace
 
-std::vector<VertexId> nearest_irregular(const Editor& editor, Surroundings& around, VertexId from, int most,
-                                        std::span<const VertexId> except) {
-  const QuadMesh& m = editor.mesh();
-  std::vector<VertexId> found;
-  const std::array<VertexId, 1> source{from};
-  around.measure(
-      m, source, [&](VertexId v) { return !editor.is_fixed(v); },
-      [&](VertexId v) { return m.face_valence(v) == 4 || contains(except, v); },
-      [&](VertexId v, int) {
-        if (v != from && m.face_valence(v) != 4 && !contains(except, v)) found.push_back(v);
-        return static_cast<int>(found.size()) == most;
-      });
-  return found;
-}
-
 namespace {
 
 // In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.

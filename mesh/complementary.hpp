@@ -4,7 +4,7 @@
 // the pair spans a rectangle. Each leaves the mesh as it was if it can not be finished, and then says why.
 #pragma once
 
-#include <span>
+#include <array>
 #include <vector>
 
 #include "mesh/courier.hpp"
@@ -29,10 +29,19 @@ struct Cancellation {
 // without a feature, the boundary or another irregular vertex in the way. Cost: (distance of the pair) journeys.
 Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five, const std::vector<VertexId>& helpers);
 
-// The irregular vertices nearest to some vertex, nearest first, at most `most`, without those in `except`. Looks no
-// further than it must, through regular vertices that are not fixed.
-std::vector<VertexId> nearest_irregular(const Editor& editor, Surroundings& surroundings, VertexId from, int most,
-                                        std::span<const VertexId> except);
+// The vertices nearest to some vertex for which wanted(v) holds, nearest first, at most `most`. Looks through vertices
+// that are not fixed, no further than it must.
+template <class Wanted>
+std::vector<VertexId> nearest(const Editor& editor, Surroundings& surroundings, VertexId from, int most, Wanted&& wanted) {
+  std::vector<VertexId> found;
+  surroundings.measure(
+      editor.mesh(), std::array{from}, [&](VertexId v) { return !editor.is_fixed(v); }, [](VertexId) { return true; },
+      [&](VertexId v, int) {
+        if (v != from && wanted(v)) found.push_back(v);
+        return static_cast<int>(found.size()) >= most;
+      });
+  return found;
+}
 
 // A pair that a sequence of pair moves made.
 struct PairResult {

@@ -22,8 +22,10 @@ Applied Editor::run(const BasicOperation& operation) {
   const bool collapses = operation.kind == BasicOperation::Kind::collapse;
   const VertexId removed = collapses ? mesh_.origin(QuadMesh::opposite(operation.h)) : VertexId();
   const VertexId kept = mesh_.origin(operation.h);
+  std::array<VertexId, 4> changed = changed_vertices(mesh_, operation);
   done = apply(mesh_, operation);
-  Edit edit{true, operation, done.inverse, {}};
+  if (operation.kind == BasicOperation::Kind::split) changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
+  Edit edit{true, operation, done.inverse, changed, {}};
   if (positions_ != nullptr) {
     positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
     if (collapses && !is_fixed(kept)) {

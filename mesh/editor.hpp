@@ -12,7 +12,10 @@
 // Costs: those of the basic operations; memory grows by the edits until forget().
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -34,6 +37,7 @@ struct Edit {
   bool operates = false;
   BasicOperation operation;  // if operates
   BasicOperation inverse;    // if operates
+  std::array<VertexId, 4> changed;  // if operates: the vertices whose valence changed, a split's new one among them
   std::vector<Placement> placements;
 };
 
@@ -55,6 +59,16 @@ class Editor {
   Applied run(const BasicOperation& operation);
   // Moves a vertex. Precondition: there are positions, and v is live and not fixed.
   void place(VertexId v, const Eigen::Vector3d& position);
+  // Lets `arrange(positions)` move some vertices, of which it may move no other and no fixed one, as one edit.
+  template <class Arrange>
+  void rearrange(std::span<const VertexId> vertices, Arrange&& arrange) {
+    Edit edit;
+    for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], {}});
+    arrange(*positions_);
+    for (Placement& p : edit.placements) p.to = (*positions_)[p.vertex.slot()];
+    std::erase_if(edit.placements, [](const Placement& p) { return p.from == p.to; });
+    if (!edit.placements.empty()) edits_.push_back(std::move(edit));
+  }
 
   // The changes since the start, or since forget().
   const std::vector<Edit>& edits() const { return edits_; }

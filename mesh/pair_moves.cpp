@@ -103,10 +103,11 @@ class Passage {
   MoveReport report() const {
     MoveReport report;
     for (std::size_t i = start_; i < editor_.mark(); ++i) {
-      const auto& [operates, op, inverse, placements] = editor_.edits()[i];
+      const Edit& edit = editor_.edits()[i];
+      const BasicOperation& op = edit.operation;
       report.operations.push_back(op);
-      report.undo.push_back(inverse);
-      if (op.kind == BasicOperation::Kind::split) report.faces_made.push_back(QuadMesh::face(inverse.h));
+      report.undo.push_back(edit.inverse);
+      if (op.kind == BasicOperation::Kind::split) report.faces_made.push_back(QuadMesh::face(edit.inverse.h));
       if (op.kind == BasicOperation::Kind::collapse) report.faces_deleted.push_back(QuadMesh::face(op.h));
     }
     std::reverse(report.undo.begin(), report.undo.end());

@@ -5,10 +5,7 @@
 
 namespace requad::theory {
 
-Integer tau_digon(Integer length) {
-  const Integer n = length / 2;
-  return length % 2 == 0 ? n * (n - 1) : n * n;
-}
+Integer tau_digon(Integer length) { return tau_from_half(length / 2, length % 2 == 0); }
 
 Integer tau_hexagon(Integer length) { return 3 * tau_digon(length); }
 

@@ -6,6 +6,12 @@
 
 namespace requad::theory {
 
+// tau as Theorem 7.2 writes it, in N = floor(L/2). A template, so that the expression that counts is also the one that
+// proofs.hpp proves for all L, with a polynomial for N.
+template <class Number>
+Number tau_from_half(const Number& n, bool even) {
+  return even ? n * (n - 1) : n * n;
+}
 // Theorem 7.2: with N = floor(L/2), N(N-1) for even L, N^2 for odd L. Precondition: L >= 1.
 Integer tau_digon(Integer length);
 // Theorem 7.3: three times that.

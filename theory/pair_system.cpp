@@ -36,10 +36,7 @@ std::vector<IntegerVector> PairSystem::solve_strips(const IntegerVector& sides, 
 }
 
 Integer PairSystem::face_count(const StripParameters& p) const {
-  const Eigen::Index k = p.e.size();
-  Integer corners = 0;
-  for (Eigen::Index i = 0; i < k; ++i) corners += p.e(i) * p.e((i + 1) % k);
-  return p.d1 * p.d2 + corners + p.d1 * first_.dot(p.e) + p.d2 * last_.dot(p.e);
+  return face_formula<Integer>(p.d1, p.d2, {p.e.begin(), p.e.end()});
 }
 
 namespace {

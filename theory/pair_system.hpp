@@ -83,6 +83,16 @@ class PairSystem {
   // Number of quads: d1 d2 + sum e_i e_{i+1} + d1 (e of the two firsts) + d2 (e of the two lasts). Each term is one
   // kind of rectangle: R_alpha, those between consecutive outward separatrices, those along the legs.
   Integer face_count(const StripParameters& parameters) const;
+  // The same for any kind of number, polynomials included (proofs.hpp). Precondition: e has k entries.
+  template <class Number>
+  Number face_formula(const Number& d1, const Number& d2, const std::vector<Number>& e) const {
+    Number faces = d1 * d2;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      faces = faces + e[i] * e[(i + 1) % e.size()] + Number(first_(at)) * d1 * e[i] + Number(last_(at)) * d2 * e[i];
+    }
+    return faces;
+  }
 
  private:
   PairType type_;

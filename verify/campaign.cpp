@@ -122,6 +122,16 @@ bool CampaignResult::passed() const {
   return std::all_of(claims.begin(), claims.end(), [](const ClaimResult& c) { return !c.violation && c.instances > 0; });
 }
 
+void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof) {
+  if (proof && !proof->proved() && !result.violation) {
+    const std::string step = proof->failure();
+    result.violation =
+        Violation{"the proof for " + proof->range + " fails: " + (step.empty() ? "it computes nothing" : step), "", "",
+                  std::nullopt};
+  }
+  result.proof = std::move(proof);
+}
+
 CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
                             int threads, bool quiet) {
   using Clock = std::chrono::steady_clock;
@@ -187,6 +197,12 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
         total.violation = std::move(j.violation);
         total.violating_region = list.cases[i];
       }
+    }
+    try {
+      attach_proof(total, theory::proof_of(total.claim->id));
+    } catch (const std::exception& error) {
+      total.violation =
+          Violation{std::string("the proof for all sizes breaks off: ") + error.what(), "", "", std::nullopt};
     }
     campaign.claims.push_back(std::move(total));
   }

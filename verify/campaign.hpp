@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/program.hpp"
+#include "theory/proofs.hpp"
 #include "verify/claims.hpp"
 
 namespace requad::verify {
@@ -45,7 +46,11 @@ struct ClaimResult {
   double seconds = 0;                               // of judging, summed over threads
   std::optional<Violation> violation;               // the first in the order of the cases
   std::optional<RegionCase> violating_region;
+  std::optional<theory::Proof> proof;  // for every size, where linear algebra decides the claim
 };
+
+// Puts the proof beside the instances; one that does not go through makes the claim fail.
+void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof);
 
 struct CampaignResult {
   std::vector<ClaimResult> claims;

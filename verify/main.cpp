@@ -18,7 +18,8 @@ using namespace requad;
 using program::Options;
 using program::UsageError;
 
-constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivity Editing for Quadrilateral Meshes" by computer
+constexpr const char* kHelp =
+    R"(requad-verify: checks the claims of "Connectivity Editing for Quadrilateral Meshes" by computer
 
   requad-verify [--claim ID]... [ranges]
   requad-verify check DIR   checks certificates again, by a program that shares no code with what made them
@@ -34,6 +35,7 @@ constexpr const char* kHelp = R"(requad-verify: checks the claims of "Connectivi
   --certificate DIR        writes every configuration, every edge with its script, and the counts, for `check`
   --html FILE|-            the report as one self-contained page
   --list                   the claims, with what each check compares
+  --proofs                 the proofs for all sizes, step by step, of the claims that linear algebra decides
   --json FILE|-  --threads N  --quiet  --help  --version
 
 Exit code: 0 all claims hold, 1 one fails, 2 bad arguments, 3 a claim had no instance in these ranges.
@@ -70,6 +72,20 @@ std::vector<const verify::Claim*> select(const Options& options) {
   return selected;
 }
 
+// The proofs of these claims in full. Done if all of them go through, and undecided if none has one.
+int print_proofs(const std::vector<const verify::Claim*>& claims) {
+  int code = program::kUndecided;
+  for (const verify::Claim* claim : claims) {
+    const auto proof = theory::proof_of(claim->id);
+    if (!proof) continue;
+    std::cout << (code == program::kUndecided ? "" : "\n") << verify::proof_text(*proof);
+    if (code == program::kUndecided || !proof->proved())
+      code = proof->proved() ? program::kDone : program::kCheckFailed;
+  }
+  if (code == program::kUndecided) std::cout << "no proof for all sizes: instances only\n";
+  return code;
+}
+
 // Each violating mesh goes to a file that its claim names.
 void write_violations(const verify::CampaignResult& result, const std::string& folder) {
   for (const verify::ClaimResult& c : result.claims) {
@@ -95,7 +111,10 @@ int check(const std::vector<std::string>& words, const char* self) {
 }
 
 int main_body(int argc, char** argv) {
-  const Options options(argc, argv, {{"list"}, {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html"}, {"claim", "method"}});
+  const Options options(argc, argv,
+                        {{"list", "proofs"},
+                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html"},
+                         {"claim", "method"}});
   if (program::answered(options, "requad-verify", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty() && options.words().front() == "check") return check(options.words(), argv[0]);
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
@@ -105,6 +124,7 @@ int main_body(int argc, char** argv) {
     }
     return program::kDone;
   }
+  if (options.has("proofs")) return print_proofs(select(options));
   std::set<verify::Method> methods{verify::Method::moves, verify::Method::search};
   if (options.has("method")) {
     methods.clear();

@@ -32,6 +32,19 @@ ordered_json counterexample(const ClaimResult& c) {
           {"configuration", c.violation->configuration}, {"move", c.violation->move}, {"what", c.violation->what}};
 }
 
+ordered_json proof_json(const std::optional<theory::Proof>& proof) {
+  if (!proof) return nullptr;
+  ordered_json steps = ordered_json::array();
+  for (const theory::ProofStep& step : proof->steps) {
+    steps.push_back({{"text", step.text}, {"computed", step.computed}, {"holds", step.holds}});
+  }
+  return {{"for", proof->range},
+          {"statement", proof->statement},
+          {"premises", proof->premises},
+          {"steps", steps},
+          {"proved", proof->proved()}};
+}
+
 }  // namespace
 
 std::string range_text(const Ranges& ranges, const std::set<Family>& families) {
@@ -60,7 +73,8 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
                               {"verdict", verdict(c)}, {"instances", c.instances},
                               {"range", range_text(ranges, c.claim->families)}, {"methods", methods},
                               {"compares", c.claim->compares}, {"seconds", c.seconds},
-                              {"counterexample", counterexample(c)}, {"totals", totals}, {"table", std::move(table)}});
+                              {"counterexample", counterexample(c)}, {"proof", proof_json(c.proof)},
+                              {"totals", totals}, {"table", std::move(table)}});
   }
   return json;
 }
@@ -83,14 +97,32 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << std::left << std::setw(7) << c.claim->id << std::setw(10) << verdict(c) << std::right << std::setw(9) << c.instances
         << std::setw(10) << checks << "  " << c.claim->statement << " [" << c.claim->where << "]\n";
   }
+  const char* heading =
+      "\nproved by exact arithmetic for every size, apart from these instances (--proofs has the steps):\n";
+  for (const ClaimResult& c : result.claims) {
+    if (!c.proof || !c.proof->proved()) continue;
+    out << heading << std::left << std::setw(7) << c.claim->id << c.proof->range << ": " << c.proof->statement << '\n';
+    heading = "";
+  }
   for (const ClaimResult& c : result.claims) {
     if (!c.violation) continue;
-    out << '\n' << c.claim->id << " fails: " << (c.violating_region ? describe(*c.violating_region) : "a region");
+    out << '\n' << c.claim->id << " fails";
+    if (c.violating_region) out << ": " << describe(*c.violating_region);
     if (!c.violation->configuration.empty()) out << ", configuration " << c.violation->configuration;
     if (!c.violation->move.empty()) out << ", move " << c.violation->move;
     out << ": " << c.violation->what << '\n';
   }
   return out.str();
+}
+
+std::string proof_text(const theory::Proof& proof) {
+  std::string out = proof.claim + ", for " + proof.range + (proof.proved() ? ", is proved: " : ", is not proved: ") +
+                    proof.statement + '\n';
+  for (const std::string& premise : proof.premises) out += "  given      " + premise + '\n';
+  for (const theory::ProofStep& step : proof.steps) {
+    out += (!step.computed ? "  argued     " : step.holds ? "  computed   " : "  FAILS      ") + step.text + '\n';
+  }
+  return out;
 }
 
 namespace {
@@ -137,6 +169,23 @@ std::string html_table(const ordered_json& rows) {
   return html;
 }
 
+// The proof for all sizes, set apart from the instances.
+std::string html_proof(const ordered_json& proof) {
+  const bool proved = proof["proved"].get<bool>();
+  std::string html = std::string("<details class=\"proof\"><summary><span class=\"") +
+                     (proved ? "holds\">Proved" : "fails\">Not proved") + "</span> for " + escaped(proof["for"]) +
+                     ", apart from the instances: " + escaped(proof["statement"]) + "</summary>\n<p>Given:</p>\n<ul>\n";
+  for (const auto& premise : proof["premises"]) html += "<li>" + escaped(premise) + "</li>\n";
+  html += "</ul>\n<ol>\n";
+  for (const auto& step : proof["steps"]) {
+    const char* outcome = !step["computed"].get<bool>() ? ""
+                          : step["holds"].get<bool>()   ? " <em>(computed)</em>"
+                                                        : " <em class=\"fails\">(fails)</em>";
+    html += "<li>" + escaped(step["text"]) + outcome + "</li>\n";
+  }
+  return html + "</ol>\n</details>\n";
+}
+
 }  // namespace
 
 std::string report_html(const CampaignResult& result, const Ranges& ranges) {
@@ -177,6 +226,7 @@ boundary with quads in every possible way, without any theorem.</p>
       html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " + escaped(c["counterexample"]["configuration"]) + " " +
               escaped(c["counterexample"]["move"]) + ": " + escaped(c["counterexample"]["what"]) + "</p>\n";
     }
+    if (!c["proof"].is_null()) html += html_proof(c["proof"]);
     if (!c["totals"].empty()) html += html_table(c["totals"]);
     if (!c["table"].empty() && c["table"] != c["totals"]) html += "<details><summary>Region by region</summary>\n" + html_table(c["table"]) + "</details>\n";
     html += "</section>\n";
