@@ -63,7 +63,7 @@ class Editor {
   template <class Arrange>
   void rearrange(std::span<const VertexId> vertices, Arrange&& arrange) {
     Edit edit;
-    for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], {}});
+    for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], Eigen::Vector3d::Zero()});
     arrange(*positions_);
     for (Placement& p : edit.placements) p.to = (*positions_)[p.vertex.slot()];
     std::erase_if(edit.placements, [](const Placement& p) { return p.from == p.to; });

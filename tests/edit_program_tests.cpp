@@ -1,7 +1,8 @@
 // requad-edit from outside, and requad-enumerate signature FILE.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
-#include "mesh/polygon_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
 

@@ -1,6 +1,8 @@
 // Files: what is read, what is refused and where, and that nothing is lost on the way there and back.
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -209,6 +211,37 @@ TEST_CASE("polygons that are no quad mesh: the line and the reason", "[files]") 
     const std::string message = error.what();
     CHECK(message.find("band.obj:9: the surface is one-sided") != std::string::npos);
   }
+}
+
+TEST_CASE("a damaged file is read or refused in one line", "[files]") {
+  const std::string good_obj = kFourVertices + "v 2 0 0\nv 2 1 0 # six\nf 1/1 2/2/2 3//3 4\r\nf -5 -2 \\\n-1 3\n";
+  const std::string good_off = "OFF\n6 2 7\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n";
+  const std::string bytes = "0123456789-+.eE/\\#fv lnaOF \t\r\n\v\x80\xFF";
+  REQUIRE(of_obj(good_obj).empty());
+  REQUIRE(of_off(good_off).empty());
+  std::mt19937 random(3);
+  int refused = 0, taken = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    std::string text = trial % 2 == 0 ? good_obj : good_off;
+    for (int change = 0; change <= trial % 3; ++change) {
+      const std::size_t at = random() % text.size();
+      if (random() % 4 == 0)
+        text.erase(at, 1 + random() % 5);
+      else if (random() % 2 == 0)
+        text.insert(at, 1, bytes[random() % bytes.size()]);
+      else
+        text[at] = bytes[random() % bytes.size()];
+    }
+    const auto both = [trial](const std::string& t, const std::string& name) {
+      const PolygonMesh m = trial % 2 == 0 ? parse_obj(t, name) : parse_off(t, name);
+      const std::string problem = manifold_problem(m);
+      const Surface s = to_quad_mesh(problem.empty() ? subdivide(m) : m);
+      if (!validate(s.mesh).empty()) throw std::logic_error("not valid");
+    };
+    ++(complaint(both, text).empty() ? taken : refused);
+  }
+  CHECK(refused > 5000);
+  CHECK(taken > 3000);
 }
 
 TEST_CASE("the reason is found for whatever QuadMesh refuses", "[files]") {
