@@ -43,14 +43,24 @@ std::string problem_with(const SearchProblem& problem);
 // True if the number of fillings can be infinite, so that a search without a face limit may not end.
 bool may_be_infinite(const SearchProblem& problem);
 
-// Branches are followed by recursion, a quad a level: no search looks for fillings of more faces than this.
-inline constexpr int kMostFaces = 1500;
+// No search looks for fillings of more faces than this: it is what bounds the memory of a search that follows a tube
+// without end (some 300 bytes a face and thread). Any other search ends by itself long before.
+inline constexpr int kMostFaces = 100000;
+
+// Rules that end branches without a filling early. None changes what is found; but with a rule off, branches may go on
+// without end unless there is a face limit.
+struct SearchPruning {
+  bool gauss_bonnet = true;  // the index that a hole asks for is the sum of some part of the budget
+  bool parity = true;        // every hole has an even number of edges
+  bool face_bound = true;    // the face limit has to leave each hole of n edges n/2 - 1 quads
+};
 
 struct SearchLimits {
   std::optional<int> faces;         // fillings with more faces are not looked for; at most kMostFaces
   std::optional<double> seconds;
   int threads = 0;                  // 0: all cores
   std::function<void(std::int64_t)> progress;  // told now and then how many states were visited since; from any thread
+  SearchPruning pruning;
 };
 
 // A filling: vertices 0..boundary-1 are the boundary, counter-clockwise.
