@@ -45,17 +45,14 @@ SharedLimits::SharedLimits(const SearchLimits& limits)
   }
 }
 
-Filler::Sums& Filler::Sums::operator+=(const Sums& other) {
-  length += other.length, turn += other.turn, corners += other.corners;
-  return *this;
-}
-
-Filler::Sums& Filler::Sums::operator-=(const Sums& other) {
-  length -= other.length, turn -= other.turn, corners -= other.corners;
-  return *this;
-}
-
 // --- preparation -----------------------------------------------------------------------------------------------------
+
+// Two edges that join the same vertices enclose a disk. If only one of its quads were at one of the two vertices, both
+// edges would be sides of that quad, and it would have the other vertex twice; so at least two are at each, and by
+// Gauss-Bonnet the irregular vertices inside have index 4 or more. A poorer budget needs no test for doubled edges.
+Filler::Filler(const std::vector<int>& irregular, SharedLimits& shared)
+    : budget_(irregular), shared_(&shared), pruning_(shared.pruning), face_limit_(shared.faces),
+      edges_can_double_(budget_.most() >= 4) {}
 
 int Filler::add_vertex() {
   if (static_cast<std::size_t>(filling_.vertices) == latest_edge_.size()) latest_edge_.push_back(kNone);
@@ -63,6 +60,7 @@ int Filler::add_vertex() {
 }
 
 void Filler::add_edge(int a, int b) {
+  if (!edges_can_double_) return;
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
     int& latest = latest_edge_[static_cast<std::size_t>(from)];
     edges_.push_back({to, latest});
@@ -70,6 +68,7 @@ void Filler::add_edge(int a, int b) {
   }
 }
 
+// Always false if the answer does not matter.
 bool Filler::adjacent(int a, int b) const {
   int e = latest_edge_[static_cast<std::size_t>(a)];
   while (e != kNone && edges_[static_cast<std::size_t>(e)].to != b) e = edges_[static_cast<std::size_t>(e)].earlier;
@@ -87,16 +86,16 @@ bool Filler::open_hole(const std::vector<BoundaryVertex>& boundary) {
   for (const auto& [vertex, need] : boundary) {
     const int n = add_node(vertex, need);
     if (n > first) link(n - 1, n);
-    sums += sums_of(need);
+    sums += Sums(need);
   }
   link(static_cast<int>(nodes_.size()) - 1, first);
   push_hole(sums, first);
   least_faces_ = static_cast<int>(filling_.faces.size()) + least_faces(sums);
-  return sums.length % 2 == 0 && fits_budget(sums);
+  return sums.length() % 2 == 0 && fits_budget(sums);
 }
 
-void Filler::push_hole(const Sums& sums, int start) {
-  if (sums.length == 0) return;
+void Filler::push_hole(Sums sums, int start) {
+  if (sums.empty()) return;
   holes_.push_back({sums, start, hole_});
   hole_ = static_cast<int>(holes_.size()) - 1;
 }
@@ -104,19 +103,19 @@ void Filler::push_hole(const Sums& sums, int start) {
 // --- pruning ---------------------------------------------------------------------------------------------------------
 
 // A hole of n edges takes at least n/2 - 1 quads (Euler), and one in any case.
-int Filler::least_faces(const Sums& hole) const {
-  if (hole.length == 0 || !shared_->pruning.face_bound) return 0;
-  return std::max(hole.length / 2 - 1, 1);
+int Filler::least_faces(Sums hole) const {
+  if (hole.empty() || !pruning_.face_bound) return 0;
+  return std::max(hole.length() / 2 - 1, 1);
 }
 
 // Discrete Gauss-Bonnet: the irregular vertices in a hole have index 4 - turn.
-bool Filler::fits_budget(const Sums& hole) const {
-  return hole.length == 0 || !shared_->pruning.gauss_bonnet || budget_.can_sum_to(4 - hole.turn);
+bool Filler::fits_budget(Sums hole) const {
+  return hole.empty() || !pruning_.gauss_bonnet || budget_.can_sum_to(4 - hole.turn());
 }
 
 // Whether the edge a, b may cut off the ring of these two nodes and those between: it has to be even, and the edge new.
-bool Filler::may_cut(int a, int b, const Sums& between) const {
-  if (shared_->pruning.parity && between.length % 2 != 0) return false;
+bool Filler::may_cut(int a, int b, Sums between) const {
+  if (pruning_.parity && between.length() % 2 != 0) return false;
   return !adjacent(node(a).vertex, node(b).vertex);
 }
 
@@ -125,7 +124,7 @@ bool Filler::may_cut(int a, int b, const Sums& between) const {
 // The edge v -> w, as v. A corner w (one quad missing) leaves one vertex of its quad to be chosen, two corners none. So
 // two corners where the hole changed last, or the next corner; a pair of corners further off can wait.
 int Filler::choose_edge(const Hole& hole) const {
-  if (hole.sums.corners == 0) return hole.node;
+  if (hole.sums.corners() == 0) return hole.node;
   int w = next(hole.node);
   for (int i = 0; i < kNear; ++i, w = previous(w)) {
     if (node(w).need == 1 && node(previous(w)).need == 1) return previous(w);
@@ -152,29 +151,31 @@ void Filler::list_moves() {
 }
 
 // The corner y next to v, given the corner x next to w and the sums between w and x.
-void Filler::list_y(const Hole& hole, int v, int x, const Sums& before) {
+void Filler::list_y(const Hole& hole, int v, int x, Sums before) {
   const int w = next(v);
   if (previous(v) == x) return;  // a triangle would be left
   if (node(v).need == 1) {
     list_shares(hole, v, x, previous(v), before, {});
     return;
   }
-  list_shares(hole, v, x, kNone, before, {});
-  int concave = hole.sums.corners - hole.sums.turn - concavity(v) - concavity(w);
-  if (x != kNone) {
+  // If the quad takes the next edge too and x has no other quad, then it takes the edge after that as well.
+  const bool x_is_done = x == next(w) && node(x).need == 1;
+  if (x_is_done || (x != kNone && x != next(w))) {
     const int y = next(x);
     const Sums between = hole.sums - sums_at(v) - sums_at(w) - before - sums_at(x) - sums_at(y);
     if (y != previous(v) && node(y).need >= 2 && may_cut(v, y, between)) list_shares(hole, v, x, y, before, between);
-    concave -= concavity(x) + concavity(y);
+    if (x_is_done) return;
   }
-  // Any other y has a hole on each side, so it is concave: three quads missing or more.
-  Sums between = sums_at(previous(v));
-  concave -= concavity(previous(v));
+  list_shares(hole, v, x, kNone, before, {});
+  // Any other y has a hole on each side, so it is concave: three quads missing or more. Go back from v while there are.
+  int concave = hole.sums.concavity() - concavity(v) - concavity(w);
+  if (x != kNone) concave -= concavity(x) + concavity(next(x));
   const int end = x == kNone ? w : next(x);
-  for (int y = previous(previous(v)); concave > 0 && y != end; y = previous(y)) {
-    if (node(y).need >= 3 && may_cut(v, y, between)) list_shares(hole, v, x, y, before, between);
+  Sums between;
+  for (int y = previous(v); y != end && (concave -= concavity(y)) > 0;) {
     between += sums_at(y);
-    concave -= concavity(y);
+    y = previous(y);
+    if (y != end && node(y).need >= 3 && may_cut(v, y, between)) list_shares(hole, v, x, y, before, between);
   }
 }
 
@@ -198,7 +199,7 @@ void Filler::for_each_corner(int n, bool outer, bool inner, Then&& then) {
   }
 }
 
-void Filler::list_shares(const Hole& hole, int v, int x, int y, const Sums& before, const Sums& after) {
+void Filler::list_shares(const Hole& hole, int v, int x, int y, Sums before, Sums after) {
   const int w = next(v);
   const bool old = x != kNone && y != kNone;
   const bool has_before = x != kNone && x != next(w);
@@ -206,8 +207,8 @@ void Filler::list_shares(const Hole& hole, int v, int x, int y, const Sums& befo
   const bool has_after = y != kNone && y != previous(v);
   if (old && has_middle && adjacent(node(x).vertex, node(y).vertex)) return;
 
-  const Sums w_left = sums_of(node(w).need - 1);
-  const Sums v_left = sums_of(node(v).need - 1);
+  const Sums w_left = Sums(node(w).need - 1);
+  const Sums v_left = Sums(node(v).need - 1);
   Sums between = hole.sums - sums_at(v) - sums_at(w) - before - after;
   if (x != kNone) between -= sums_at(x);
   if (y != kNone) between -= sums_at(y);
@@ -215,17 +216,18 @@ void Filler::list_shares(const Hole& hole, int v, int x, int y, const Sums& befo
   if (has_middle && y == kNone) between += v_left;
   const int other_faces = least_faces_ - least_faces(hole.sums) + 1;
   for_each_corner(x, has_before, has_middle, [&](const Corner& x_corner) {
+    const Sums before_hole = has_before ? before + w_left + Sums(x_corner.outer) : Sums();
+    if (!fits_budget(before_hole)) return;
     for_each_corner(y, has_after, has_middle, [&](const Corner& y_corner) {
-      Move move{x_corner, y_corner, {}, {}, {}};
-      if (has_before) move.before = before + w_left + sums_of(x_corner.outer);
-      if (has_middle) move.middle = between + sums_of(x_corner.inner) + sums_of(y_corner.inner);
-      if (has_after) move.after = after + v_left + sums_of(y_corner.outer);
-      if (!fits_budget(move.before) || !fits_budget(move.middle) || !fits_budget(move.after)) return;
-      if (other_faces + least_faces(move.before) + least_faces(move.middle) + least_faces(move.after) > shared_->faces) {
+      const Sums after_hole = has_after ? after + v_left + Sums(y_corner.outer) : Sums();
+      if (!fits_budget(after_hole)) return;
+      const Sums middle_hole = has_middle ? between + Sums(x_corner.inner) + Sums(y_corner.inner) : Sums();
+      if (!fits_budget(middle_hole)) return;
+      if (other_faces + least_faces(before_hole) + least_faces(middle_hole) + least_faces(after_hole) > face_limit_) {
         shared_->face_limit_cut = true;
         return;
       }
-      moves_.push_back(move);
+      moves_.push_back({x_corner, y_corner, before_hole, middle_hole, after_hole});
     });
   });
 }
@@ -235,14 +237,15 @@ void Filler::list_shares(const Hole& hole, int v, int x, int y, const Sums& befo
 void Filler::place(const Move& move) {
   const int v = levels_.back().v;
   const int w = next(v);
-  levels_.push_back({move.x.kind, move.y.kind, nodes_.size(), saved_.size(), holes_.size(), edges_.size(), filling_.vertices,
+  const auto size = [](const auto& stack) { return static_cast<int>(stack.size()); };
+  levels_.push_back({move.x.kind, move.y.kind, size(nodes_), size(saved_), size(holes_), size(edges_), filling_.vertices,
                      hole_, least_faces_, 0, kNone});
   const Hole hole = holes_[static_cast<std::size_t>(hole_)];
   const bool x_is_new = move.x.node == kNone;
   const bool y_is_new = move.y.node == kNone;
-  const bool has_before = move.before.length > 0;
-  const bool has_middle = move.middle.length > 0;
-  const bool has_after = move.after.length > 0;
+  const bool has_before = !move.before.empty();
+  const bool has_middle = !move.middle.empty();
+  const bool has_after = !move.after.empty();
   const int x = x_is_new ? add_node(add_vertex(), move.x.inner) : move.x.node;
   const int y = y_is_new ? add_node(add_vertex(), move.y.inner) : move.y.node;
   const int after_x = next(x);
@@ -287,8 +290,8 @@ void Filler::take_back() {
   const Level& level = levels_.back();
   least_faces_ = level.least_faces;
   hole_ = level.hole;
-  holes_.resize(level.holes);
-  while (edges_.size() > level.edges) {
+  holes_.erase(holes_.begin() + level.holes, holes_.end());
+  while (static_cast<int>(edges_.size()) > level.edges) {
     // The two half-edges of an edge lie side by side, so each starts where the other leads.
     const HalfEdge back = edges_.back();
     edges_.pop_back();
@@ -300,8 +303,8 @@ void Filler::take_back() {
   filling_.faces.pop_back();
   if (level.x_kind != kNone) budget_.give_back(level.x_kind);
   if (level.y_kind != kNone) budget_.give_back(level.y_kind);
-  for (; saved_.size() > level.saved; saved_.pop_back()) node(saved_.back().first) = saved_.back().second;
-  nodes_.resize(level.nodes);
+  for (; static_cast<int>(saved_.size()) > level.saved; saved_.pop_back()) node(saved_.back().first) = saved_.back().second;
+  nodes_.erase(nodes_.begin() + level.nodes, nodes_.end());
   filling_.vertices = level.vertices;
   levels_.pop_back();
 }
@@ -314,7 +317,7 @@ void Filler::look_at_limits() {
 }
 
 void Filler::open_level() {
-  levels_.back().first_move = moves_.size();
+  levels_.back().first_move = static_cast<int>(moves_.size());
   if (hole_ == kNone) {
     if (budget_.empty() && *visit_) (*visit_)(filling_);
   } else if (fork_ != nullptr && filling_.faces.size() >= fork_at_) {
@@ -331,10 +334,9 @@ std::int64_t Filler::run(const Visit& visit, int fork_at, const Fork* fork) {
   levels_.assign(1, {});
   open_level();
   for (;;) {
-    if (moves_.size() > levels_.back().first_move) {
-      const Move move = moves_.back();
+    if (static_cast<int>(moves_.size()) > levels_.back().first_move) {
+      place(moves_.back());
       moves_.pop_back();
-      place(move);
       if (++states_ % kStatesBetweenLooks == 0) look_at_limits();
       open_level();
     } else if (levels_.size() > 1) {

@@ -39,6 +39,7 @@ class Budget {
   void take(int kind) { --at(kind).left, code_ -= at(kind).weight; }
   void give_back(int kind) { ++at(kind).left, code_ += at(kind).weight; }
   bool empty() const { return code_ == 0; }
+  int most() const { return most_; }  // the largest sum that a part of the whole budget has
   // Whether some part of what is left has this sum of 4 - l.
   bool can_sum_to(int index) const {
     return least_ <= index && index <= most_ && sums_[place(code_, index)] != 0;
@@ -83,7 +84,7 @@ class Filler {
   using Visit = std::function<void(const Filling&)>;
   using Fork = std::function<void(const Filler&)>;
 
-  Filler(const std::vector<int>& irregular, SharedLimits& shared) : budget_(irregular), shared_(&shared) {}
+  Filler(const std::vector<int>& irregular, SharedLimits& shared);
 
   // Preparation: vertices, edges and faces that are there already, and one hole.
   int add_vertex();
@@ -111,17 +112,28 @@ class Filler {
     int next;
     int previous;
   };
-  // Sums over nodes.
-  struct Sums {
-    int length = 0;   // nodes; of a whole ring: edges
-    int turn = 0;     // of 2 - need, in quarter turns
-    int corners = 0;  // nodes with need 1
-    Sums& operator+=(const Sums& other);
-    Sums& operator-=(const Sums& other);
-    friend Sums operator+(Sums a, const Sums& b) { return a += b; }
-    friend Sums operator-(Sums a, const Sums& b) { return a -= b; }
+  // Sums over nodes, three in one word: 21 bits each for their number and for the corners, the rest for missing quads
+  // beyond two, which has a sign. problem_with() and kMostFaces keep each within its bits.
+  class Sums {
+   public:
+    Sums() = default;
+    explicit Sums(int need)
+        : packed_(1 + (std::int64_t{need == 1} << kBits) + (std::int64_t{need - 2} << (2 * kBits))) {}
+    int length() const { return static_cast<int>(packed_ & kMask); }  // nodes; of a whole ring: edges
+    int corners() const { return static_cast<int>((packed_ >> kBits) & kMask); }
+    int turn() const { return static_cast<int>(-(packed_ >> (2 * kBits))); }  // of 2 - need, in quarter turns
+    int concavity() const { return corners() - turn(); }                       // of need - 2 where that is positive
+    bool empty() const { return packed_ == 0; }
+    Sums& operator+=(Sums other) { return packed_ += other.packed_, *this; }
+    Sums& operator-=(Sums other) { return packed_ -= other.packed_, *this; }
+    friend Sums operator+(Sums a, Sums b) { return a += b; }
+    friend Sums operator-(Sums a, Sums b) { return a -= b; }
+
+   private:
+    static constexpr int kBits = 21;
+    static constexpr std::int64_t kMask = (std::int64_t{1} << kBits) - 1;
+    std::int64_t packed_ = 0;
   };
-  static Sums sums_of(int need) { return {1, 2 - need, need == 1 ? 1 : 0}; }
   struct Hole {
     Sums sums;
     int node;  // where the choice of an edge starts
@@ -138,34 +150,33 @@ class Filler {
   };
   struct Move {
     Corner x, y;
-    Sums before, middle, after;  // length 0: there is no such hole
+    Sums before, middle, after;  // empty: there is no such hole
   };
   // A partial mesh on the current branch: how it was made, to be taken back, and what remains to be tried from it.
   struct Level {
     int x_kind, y_kind;
-    std::size_t nodes, saved, holes, edges;
-    int vertices;
+    int nodes, saved, holes, edges, vertices;  // how many there were before
     int hole;
     int least_faces;
-    std::size_t first_move;  // its moves are those from here on
-    int v;                   // they are on the edge v -> w
+    int first_move;  // its moves are those from here on
+    int v;           // they are on the edge v -> w
   };
 
   const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
   Node& node(int n) { return nodes_[static_cast<std::size_t>(n)]; }
   int next(int n) const { return node(n).next; }
   int previous(int n) const { return node(n).previous; }
-  Sums sums_at(int n) const { return sums_of(node(n).need); }
+  Sums sums_at(int n) const { return Sums(node(n).need); }
   int concavity(int n) const { return node(n).need > 2 ? node(n).need - 2 : 0; }
   bool adjacent(int a, int b) const;
-  int least_faces(const Sums& hole) const;
-  bool fits_budget(const Sums& hole) const;
+  int least_faces(Sums hole) const;
+  bool fits_budget(Sums hole) const;
 
   int choose_edge(const Hole& hole) const;
   void list_moves();
-  void list_y(const Hole& hole, int v, int x, const Sums& before);
-  void list_shares(const Hole& hole, int v, int x, int y, const Sums& before, const Sums& after);
-  bool may_cut(int a, int b, const Sums& between) const;
+  void list_y(const Hole& hole, int v, int x, Sums before);
+  void list_shares(const Hole& hole, int v, int x, int y, Sums before, Sums after);
+  bool may_cut(int a, int b, Sums between) const;
   template <class Then>
   void for_each_corner(int n, bool outer, bool inner, Then&& then);
 
@@ -176,10 +187,13 @@ class Filler {
   int add_node(int vertex, int need);
   void save(int n) { saved_.emplace_back(n, node(n)); }
   void link(int a, int b) { node(a).next = b, node(b).previous = a; }
-  void push_hole(const Sums& sums, int start);
+  void push_hole(Sums sums, int start);
 
   Budget budget_;
   SharedLimits* shared_;
+  SearchPruning pruning_;
+  int face_limit_;
+  bool edges_can_double_;
   Filling filling_;  // the partial mesh
   std::vector<Node> nodes_;
   std::vector<std::pair<int, Node>> saved_;  // what nodes were before they changed

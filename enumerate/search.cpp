@@ -31,6 +31,8 @@ std::int64_t run_parallel(const Filler& start, int faces_before, int threads, co
   return states;
 }
 
+constexpr std::size_t kMostBoundary = 10000;
+
 int positive_index(const std::vector<int>& irregular) {
   int sum = 0;
   for (const int l : irregular) sum += std::max(4 - l, 0);
@@ -49,9 +51,11 @@ SearchProblem search_problem(const std::vector<int>& sides, std::vector<int> irr
 }
 
 std::string problem_with(const SearchProblem& problem) {
-  if (problem.interior_quads.size() < 3) return "a boundary of " + std::to_string(problem.interior_quads.size()) + " edges encloses no simple mesh";
+  const std::size_t edges = problem.interior_quads.size();
+  if (edges < 3) return "a boundary of " + std::to_string(edges) + " edges encloses no simple mesh";
+  if (edges > kMostBoundary) return "a boundary of " + std::to_string(edges) + " edges; expected at most 10000";
   for (const int quads : problem.interior_quads) {
-    if (quads < 1) return "a boundary vertex with " + std::to_string(quads) + " interior quads; expected at least 1";
+    if (quads < 1 || quads > 100) return "a boundary vertex with " + std::to_string(quads) + " interior quads; expected 1..100";
   }
   for (const int l : problem.irregular) {
     if (l < 2 || l == 4 || l > 100) return "irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100";

@@ -32,8 +32,8 @@
 namespace requad::enumerate {
 
 struct SearchProblem {
-  std::vector<int> interior_quads;  // per boundary vertex, each >= 1
-  std::vector<int> irregular;       // each >= 2 and not 4
+  std::vector<int> interior_quads;  // per boundary vertex, at most 10000 of them, each 1..100
+  std::vector<int> irregular;       // each 2..100 and not 4
 };
 
 // The boundary with these sides: one quad at the corner that starts each side, two elsewhere. Sides >= 1.
@@ -74,7 +74,7 @@ mesh::Region region_of(const Filling& filling);
 struct SearchOutcome {
   std::int64_t count = 0;
   std::map<int, std::int64_t> by_faces;
-  std::int64_t states = 0;     // quads placed, over all branches
+  std::int64_t states = 0;     // quads placed, over all branches, whether a filling came of them or not
   bool face_limit_cut = false;  // a branch ended at the face limit: there may be larger fillings
   bool out_of_time = false;
   // Every filling was found (up to the face limit, if that cut a branch).
