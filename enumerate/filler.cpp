@@ -23,7 +23,8 @@ Budget::Budget(const std::vector<int>& irregular) {
     kinds_.push_back({valence, count, codes});
     codes *= count + 1;
   }
-  // A multiset without its last kind has a smaller code, whose sums are known: this one's are those, and those + (4 - l).
+  // A multiset without its last kind has a smaller code, whose sums are known: this one's are those, and those + (4 -
+  // l).
   sums_.assign(place(codes, least_), 0);
   sums_[place(0, 0)] = 1;
   for (int code = 1; code < codes; ++code) {
@@ -39,9 +40,12 @@ Budget::Budget(const std::vector<int>& irregular) {
 }
 
 SharedLimits::SharedLimits(const SearchLimits& limits)
-    : pruning(limits.pruning), faces(std::min(limits.faces.value_or(kMostFaces), kMostFaces)), progress(limits.progress) {
+    : pruning(limits.pruning),
+      faces(std::min(limits.faces.value_or(kMostFaces), kMostFaces)),
+      progress(limits.progress) {
   if (limits.seconds) {
-    deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limits.seconds));
+    deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limits.seconds));
   }
 }
 
@@ -51,7 +55,10 @@ SharedLimits::SharedLimits(const SearchLimits& limits)
 // edges would be sides of that quad, and it would have the other vertex twice; so at least two are at each, and by
 // Gauss-Bonnet the irregular vertices inside have index 4 or more. A poorer budget needs no test for doubled edges.
 Filler::Filler(const std::vector<int>& irregular, SharedLimits& shared)
-    : budget_(irregular), shared_(&shared), pruning_(shared.pruning), face_limit_(shared.faces),
+    : budget_(irregular),
+      shared_(&shared),
+      pruning_(shared.pruning),
+      face_limit_(shared.faces),
       edges_can_double_(budget_.most() >= 4) {}
 
 int Filler::add_vertex() {
@@ -238,8 +245,8 @@ void Filler::place(const Move& move) {
   const int v = levels_.back().v;
   const int w = next(v);
   const auto size = [](const auto& stack) { return static_cast<int>(stack.size()); };
-  levels_.push_back({move.x.kind, move.y.kind, size(nodes_), size(saved_), size(holes_), size(edges_), filling_.vertices,
-                     hole_, least_faces_, 0, kNone});
+  levels_.push_back({move.x.kind, move.y.kind, size(nodes_), size(saved_), size(holes_), size(edges_),
+                     filling_.vertices, hole_, least_faces_, 0, kNone});
   const Hole hole = holes_[static_cast<std::size_t>(hole_)];
   const bool x_is_new = move.x.node == kNone;
   const bool y_is_new = move.y.node == kNone;
@@ -283,7 +290,8 @@ void Filler::place(const Move& move) {
   push_hole(move.after, y);
   push_hole(move.middle, middle);
   push_hole(move.before, w);
-  least_faces_ += 1 - least_faces(hole.sums) + least_faces(move.before) + least_faces(move.middle) + least_faces(move.after);
+  least_faces_ +=
+      1 - least_faces(hole.sums) + least_faces(move.before) + least_faces(move.middle) + least_faces(move.after);
 }
 
 void Filler::take_back() {
@@ -303,7 +311,9 @@ void Filler::take_back() {
   filling_.faces.pop_back();
   if (level.x_kind != kNone) budget_.give_back(level.x_kind);
   if (level.y_kind != kNone) budget_.give_back(level.y_kind);
-  for (; static_cast<int>(saved_.size()) > level.saved; saved_.pop_back()) node(saved_.back().first) = saved_.back().second;
+  for (; static_cast<int>(saved_.size()) > level.saved; saved_.pop_back()) {
+    node(saved_.back().first) = saved_.back().second;
+  }
   nodes_.erase(nodes_.begin() + level.nodes, nodes_.end());
   filling_.vertices = level.vertices;
   levels_.pop_back();

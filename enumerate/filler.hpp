@@ -2,9 +2,9 @@
 // quad by quad, depth first, in place.
 //
 // State. A hole is a ring of nodes, one for each vertex on its boundary, with the number of quads that the vertex still
-// needs in this hole; a list holds the open holes. Placing a quad changes at most six nodes of one ring, and take_back()
-// puts those six back, so neither costs more in a large hole. Branches wait on an explicit stack of moves: no recursion,
-// and no allocation but where a stack grows beyond its record.
+// needs in this hole; a list holds the open holes. Placing a quad changes at most six nodes of one ring, and
+// take_back() puts those six back, so neither costs more in a large hole. Branches wait on an explicit stack of moves:
+// no recursion, and no allocation but where a stack grows beyond its record.
 //
 // The pruning rules read sums over a ring (length, turns, corners), which each move carries along.
 //
@@ -41,9 +41,7 @@ class Budget {
   bool empty() const { return code_ == 0; }
   int most() const { return most_; }  // the largest sum that a part of the whole budget has
   // Whether some part of what is left has this sum of 4 - l.
-  bool can_sum_to(int index) const {
-    return least_ <= index && index <= most_ && sums_[place(code_, index)] != 0;
-  }
+  bool can_sum_to(int index) const { return least_ <= index && index <= most_ && sums_[place(code_, index)] != 0; }
 
  private:
   struct Kind {
@@ -122,7 +120,7 @@ class Filler {
     int length() const { return static_cast<int>(packed_ & kMask); }  // nodes; of a whole ring: edges
     int corners() const { return static_cast<int>((packed_ >> kBits) & kMask); }
     int turn() const { return static_cast<int>(-(packed_ >> (2 * kBits))); }  // of 2 - need, in quarter turns
-    int concavity() const { return corners() - turn(); }                       // of need - 2 where that is positive
+    int concavity() const { return corners() - turn(); }                      // of need - 2 where that is positive
     bool empty() const { return packed_ == 0; }
     Sums& operator+=(Sums other) { return packed_ += other.packed_, *this; }
     Sums& operator-=(Sums other) { return packed_ -= other.packed_, *this; }
@@ -140,8 +138,8 @@ class Filler {
     int next;  // the hole to fill after this one
   };
 
-  // A quad v, w, x, y on the edge v -> w of a hole leaves up to three holes: `before` between w and x, `middle` between x
-  // and y, `after` between y and v. Corners x and y of it are nodes of the ring, or new.
+  // A quad v, w, x, y on the edge v -> w of a hole leaves up to three holes: `before` between w and x, `middle` between
+  // x and y, `after` between y and v. Corners x and y of it are nodes of the ring, or new.
   struct Corner {
     int node;   // kNone: a new vertex
     int kind;   // of a new vertex, in the budget; kNone: valence 4
@@ -204,7 +202,7 @@ class Filler {
     int to;
     int earlier;  // the one added before from the same vertex
   };
-  std::vector<HalfEdge> edges_;  // in pairs
+  std::vector<HalfEdge> edges_;   // in pairs
   std::vector<int> latest_edge_;  // by vertex
   std::vector<Move> moves_;
   std::vector<Level> levels_;

@@ -55,7 +55,8 @@ std::string problem_with(const SearchProblem& problem) {
   if (edges < 3) return "a boundary of " + std::to_string(edges) + " edges encloses no simple mesh";
   if (edges > kMostBoundary) return "a boundary of " + std::to_string(edges) + " edges; expected at most 10000";
   for (const int quads : problem.interior_quads) {
-    if (quads < 1 || quads > 100) return "a boundary vertex with " + std::to_string(quads) + " interior quads; expected 1..100";
+    if (quads < 1 || quads > 100)
+      return "a boundary vertex with " + std::to_string(quads) + " interior quads; expected 1..100";
   }
   for (const int l : problem.irregular) {
     if (l < 2 || l == 4 || l > 100) return "irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100";
@@ -71,7 +72,8 @@ mesh::Region region_of(const Filling& filling) {
   return region;
 }
 
-SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits, const std::function<void(const Filling&)>& visit) {
+SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
+                     const std::function<void(const Filling&)>& visit) {
   if (const std::string what = problem_with(problem); !what.empty()) throw std::invalid_argument(what);
   SharedLimits shared(limits);
   Filler filler(problem.irregular, shared);
@@ -128,15 +130,19 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
   std::sort(irregular.begin(), irregular.end());
   int index = 0;
   for (const int l : irregular) {
-    if (l < 2 || l == 4 || l > 100) throw std::invalid_argument("irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100");
+    if (l < 2 || l == 4 || l > 100)
+      throw std::invalid_argument("irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100");
     index += 4 - l;
   }
   if (index != 8) {
-    throw std::invalid_argument("the indices 4 - l of the irregular valences sum to " + std::to_string(index) + ", but a sphere needs 8");
+    throw std::invalid_argument("the indices 4 - l of the irregular valences sum to " + std::to_string(index) +
+                                ", but a sphere needs 8");
   }
   std::map<int, int> count;
   for (const int l : irregular) ++count[l];
-  const int rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  const int rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first;
 
   SphereOutcome outcome;
   std::mutex mutex;
@@ -174,7 +180,8 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
         for (int& v : corner) v = filler.add_vertex();
         for (std::size_t i = 0; i < 4; ++i) filler.add_edge(corner[i], corner[(i + 1) % 4]);
         filler.add_face(corner);
-        if (filler.open_hole({{corner[0], rarest - 1}, {corner[3], l3 - 1}, {corner[2], l2 - 1}, {corner[1], l1 - 1}})) {
+        if (filler.open_hole(
+                {{corner[0], rarest - 1}, {corner[3], l3 - 1}, {corner[2], l2 - 1}, {corner[1], l1 - 1}})) {
           outcome.states += run_parallel(filler, 1, limits.threads, record);
         }
       }

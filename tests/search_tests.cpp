@@ -31,9 +31,15 @@ std::int64_t count(const std::vector<int>& sides, const std::vector<int>& irregu
 
 TEST_CASE("every filling has the boundary and the valences that were asked for", "[search]") {
   std::mutex mutex;
-  for (const auto& [sides, irregular] : std::vector<std::pair<std::vector<int>, std::vector<int>>>{
-           {{6, 6, 6}, {3, 3, 5}}, {{5, 5}, {3, 3}}, {{4, 4, 4, 4}, {3, 3, 5, 5}}, {{4, 4, 4, 4, 4}, {5}}, {{3, 4, 5}, {3}},
-           {{5, 5, 5, 5}, {2, 6}}, {{6, 4}, {2}}, {{3, 3, 3, 3, 3, 3, 3}, {5, 5, 5}}}) {
+  for (const auto& [sides, irregular] :
+       std::vector<std::pair<std::vector<int>, std::vector<int>>>{{{6, 6, 6}, {3, 3, 5}},
+                                                                  {{5, 5}, {3, 3}},
+                                                                  {{4, 4, 4, 4}, {3, 3, 5, 5}},
+                                                                  {{4, 4, 4, 4, 4}, {5}},
+                                                                  {{3, 4, 5}, {3}},
+                                                                  {{5, 5, 5, 5}, {2, 6}},
+                                                                  {{6, 4}, {2}},
+                                                                  {{3, 3, 3, 3, 3, 3, 3}, {5, 5, 5}}}) {
     const SearchProblem problem = search_problem(sides, irregular);
     search(problem, {}, [&](const Filling& filling) {
       const mesh::Region region = region_of(filling);
@@ -51,13 +57,13 @@ TEST_CASE("every filling has the boundary and the valences that were asked for",
 }
 
 TEST_CASE("counts of the theorems and of Theorem 7.1's sharpness", "[search]") {
-  CHECK(count({7, 7}, {3, 3}) == 9);                       // Theorem 7.2
-  CHECK(count({4, 4, 4, 4, 4, 4}, {5, 5}) == 6);           // Theorem 7.3
-  CHECK(count({5, 4, 4, 7}, {5, 3}) == 6);                 // Theorem 7.4
-  CHECK(count({4, 4, 4, 4, 4, 4, 4, 4}, {8}) == 9);        // (L-1)^2
-  CHECK(count({4, 4, 4}, {3}) == 1);                       // Theorem 7.1
-  CHECK(count({3, 3, 3}, {3}) == 0);                       // odd
-  CHECK(count({5, 4, 5, 4}, {}) == 1);                     // a grid
+  CHECK(count({7, 7}, {3, 3}) == 9);                 // Theorem 7.2
+  CHECK(count({4, 4, 4, 4, 4, 4}, {5, 5}) == 6);     // Theorem 7.3
+  CHECK(count({5, 4, 4, 7}, {5, 3}) == 6);           // Theorem 7.4
+  CHECK(count({4, 4, 4, 4, 4, 4, 4, 4}, {8}) == 9);  // (L-1)^2
+  CHECK(count({4, 4, 4}, {3}) == 1);                 // Theorem 7.1
+  CHECK(count({3, 3, 3}, {3}) == 0);                 // odd
+  CHECK(count({5, 4, 5, 4}, {}) == 1);               // a grid
   CHECK(count({5, 4, 6, 5}, {}) == 0);
 }
 
@@ -71,7 +77,8 @@ TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
         theory::IntegerVector sides = theory::IntegerVector::Constant(k, 3);
         sides(0) = first, sides(2) = second;
         if (sides.sum() % 2 != 0) sides(1) = 4;
-        REQUIRE(count({sides.begin(), sides.end()}, {type.l1, type.l2}) == static_cast<std::int64_t>(theory::parameter_set(type, sides).size()));
+        REQUIRE(count({sides.begin(), sides.end()}, {type.l1, type.l2}) ==
+                static_cast<std::int64_t>(theory::parameter_set(type, sides).size()));
         ++regions;
       }
     }
@@ -144,7 +151,8 @@ Regions with_one_more_vertex(const Regions& regions) {
 TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and budgets", "[search]") {
   SearchLimits limits;
   limits.threads = 1;
-  for (const auto& [m, n] : std::vector<std::pair<int, int>>{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 2}, {3, 1}}) {
+  for (const auto& [m, n] : std::vector<std::pair<int, int>>{
+           {0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 2}, {3, 1}}) {
     const int length = 2 * m + 4;
     limits.faces = m + 1 + n;
     std::int64_t total = 0;
@@ -181,8 +189,8 @@ TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and bud
 }
 
 TEST_CASE("search against flips and splits: small regions by brute force", "[search]") {
-  // Splits and flips make all quadrangulations of a polygon (Brown's number says that none is missing), corners or none on
-  // its boundary. Sorted by boundary and valences, they are what search finds, for each budget that occurs.
+  // Splits and flips make all quadrangulations of a polygon (Brown's number says that none is missing), corners or none
+  // on its boundary. Sorted by boundary and valences, they are what search finds, for each budget that occurs.
   std::set<std::vector<int>> budgets;
   for (const auto& [m, most] : std::vector<std::pair<int, int>>{{0, 5}, {1, 4}, {2, 3}, {3, 2}}) {
     Regions regions;
@@ -202,14 +210,16 @@ TEST_CASE("search against flips and splits: small regions by brute force", "[sea
         limits.faces = m + 1 + n;
         std::vector<std::string> found;
         search({problem.first, problem.second}, limits, [&](const Filling& filling) {
-          if (static_cast<int>(filling.faces.size()) == *limits.faces) found.push_back(mesh::signature(region_of(filling)));
+          if (static_cast<int>(filling.faces.size()) == *limits.faces)
+            found.push_back(mesh::signature(region_of(filling)));
         });
         std::sort(found.begin(), found.end());
         REQUIRE(found == texts);
       }
     }
   }
-  for (const std::vector<int>& budget : {std::vector<int>{3, 3, 3}, {2, 3, 5}, {2, 2, 6}, {2, 3, 3, 5}, {3, 3, 3, 3}, {2, 5}, {}}) {
+  for (const std::vector<int>& budget :
+       {std::vector<int>{3, 3, 3}, {2, 3, 5}, {2, 2, 6}, {2, 3, 3, 5}, {3, 3, 3, 3}, {2, 5}, {}}) {
     CAPTURE(budget);
     CHECK(budgets.count(budget) == 1);
   }
@@ -217,8 +227,8 @@ TEST_CASE("search against flips and splits: small regions by brute force", "[sea
 
 TEST_CASE("without a pruning rule the same is found, with more states", "[search]") {
   const std::vector<std::pair<SearchProblem, int>> problems{
-      {search_problem({5, 5}, {3, 3}), 16},      {search_problem({4, 4, 4}, {3, 3, 5}), 12},
-      {search_problem({5, 5, 5, 5}, {2, 6}), 25}, {search_problem({6, 6}, {3, 3, 3, 5}), 18},
+      {search_problem({5, 5}, {3, 3}), 16},         {search_problem({4, 4, 4}, {3, 3, 5}), 12},
+      {search_problem({5, 5, 5, 5}, {2, 6}), 25},   {search_problem({6, 6}, {3, 3, 3, 5}), 18},
       {{std::vector<int>(8, 2), {3, 3, 3, 3}}, 18}, {{std::vector<int>(4, 2), {2, 2, 3}}, 10},
       {{{3, 3, 1, 3, 3, 1}, {2, 3, 3, 3, 3}}, 12}};
   for (bool SearchPruning::*rule : {&SearchPruning::gauss_bonnet, &SearchPruning::parity, &SearchPruning::face_bound}) {
@@ -237,6 +247,23 @@ TEST_CASE("without a pruning rule the same is found, with more states", "[search
     }
     CHECK(count > 100);
     CHECK(states_without > states_with);
+  }
+}
+
+TEST_CASE("no edge is doubled", "[search]") {
+  // Found by trying random problems: in the first only the test of the edge at the start of the chosen edge (w, x)
+  // stops a doubled edge, in the second only that at its end (v, y). A doubled edge has four faces, which region_of()
+  // refuses.
+  for (const SearchProblem& problem : {SearchProblem{{4, 4, 3, 3}, {3, 2, 3, 2, 2, 3, 2, 5}},
+                                       SearchProblem{{4, 3, 2, 4, 2, 4}, {3, 3, 2, 3, 3, 3, 2, 2}}}) {
+    SearchLimits limits;
+    limits.faces = 12;
+    limits.threads = 1;
+    std::set<std::string> signatures;
+    const SearchOutcome found = search(
+        problem, limits, [&](const Filling& filling) { signatures.insert(mesh::signature(region_of(filling))); });
+    CHECK(found.count > 0);
+    CHECK(static_cast<std::int64_t>(signatures.size()) == found.count);
   }
 }
 
