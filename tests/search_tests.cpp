@@ -65,6 +65,9 @@ TEST_CASE("counts of the theorems and of Theorem 7.1's sharpness", "[search]") {
   CHECK(count({3, 3, 3}, {3}) == 0);                 // odd
   CHECK(count({5, 4, 5, 4}, {}) == 1);               // a grid
   CHECK(count({5, 4, 6, 5}, {}) == 0);
+  CHECK(count({60, 50, 60, 50}, {}) == 1);  // 3000 quads, one on the other
+  CHECK_FALSE(problem_with({{1, 1, 1, 101}, {}}).empty());
+  CHECK_FALSE(problem_with({std::vector<int>(10001, 2), {}}).empty());
 }
 
 TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
