@@ -4,7 +4,6 @@
 
 #include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
-#include "enumerate/search.hpp"
 #include "mesh/signature.hpp"
 
 namespace {
@@ -67,34 +66,5 @@ void exploration(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(exploration)->DenseRange(6, 24, 6)->Unit(benchmark::kMillisecond)->Complexity();
-
-// How many states a second does the exhaustive search visit on one core, and how do states grow with the side?
-void exhaustive_search(benchmark::State& state) {
-  const auto length = static_cast<int>(state.range(0));
-  const enumerate::SearchProblem problem = enumerate::search_problem({length, length}, {3, 3});
-  enumerate::SearchLimits limits;
-  limits.threads = 1;
-  std::int64_t states = 0, count = 0;
-  for (auto _ : state) {
-    const enumerate::SearchOutcome found = enumerate::search(problem, limits, {});
-    states = found.states;
-    count = found.count;
-  }
-  state.SetItemsProcessed(state.iterations() * states);
-  state.counters["states"] = static_cast<double>(states);
-  state.counters["states/filling"] = static_cast<double>(states) / static_cast<double>(count);
-  state.SetComplexityN(length);
-}
-BENCHMARK(exhaustive_search)->DenseRange(8, 32, 8)->Unit(benchmark::kMillisecond)->Complexity();
-
-// How long do the closed spheres with eight v3s take, up to V vertices?
-void octahedrites(benchmark::State& state) {
-  enumerate::SearchLimits limits;
-  limits.threads = 1;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(enumerate::search_spheres(std::vector<int>(8, 3), static_cast<int>(state.range(0)), limits));
-  }
-}
-BENCHMARK(octahedrites)->Arg(16)->Arg(20)->Arg(24)->Unit(benchmark::kMillisecond);
 
 }  // namespace

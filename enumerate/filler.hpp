@@ -1,0 +1,215 @@
+// The engine of the exhaustive search (search.hpp says what is searched, and why each filling is met once): fills holes
+// quad by quad, depth first, in place.
+//
+// State. A hole is a ring of nodes, one for each vertex on its boundary, with the number of quads that the vertex still
+// needs in this hole; a list holds the open holes. Placing a quad changes at most six nodes of one ring, and
+// take_back() puts those six back, so neither costs more in a large hole. Branches wait on an explicit stack of moves:
+// no recursion, and no allocation but where a stack grows beyond its record.
+//
+// The pruning rules read sums over a ring (length, turns, corners), which each move carries along.
+//
+// Costs. A quad at a corner of the hole, the usual case, is O(1) but for the walk to the next corner and the walk over
+// candidates for the fourth vertex; that one ends when no concave vertex is left. A hole without corners costs a round.
+//
+// Internal: not installed.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "enumerate/search.hpp"
+
+namespace requad::enumerate {
+
+// The multiset of irregular valences that is left, and which sums of indices 4 - l its parts have.
+class Budget {
+ public:
+  // Costs O(number of multisets * range of sums) time and space.
+  explicit Budget(const std::vector<int>& irregular);
+
+  int kind_count() const { return static_cast<int>(kinds_.size()); }
+  int valence(int kind) const { return at(kind).valence; }
+  bool has(int kind) const { return at(kind).left > 0; }
+  void take(int kind) { --at(kind).left, code_ -= at(kind).weight; }
+  void give_back(int kind) { ++at(kind).left, code_ += at(kind).weight; }
+  bool empty() const { return code_ == 0; }
+  int most() const { return most_; }  // the largest sum that a part of the whole budget has
+  // Whether some part of what is left has this sum of 4 - l.
+  bool can_sum_to(int index) const { return least_ <= index && index <= most_ && sums_[place(code_, index)] != 0; }
+
+ private:
+  struct Kind {
+    int valence;
+    int left;
+    int weight;  // in code_, the mixed-radix number of the multiset
+  };
+  const Kind& at(int kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
+  Kind& at(int kind) { return kinds_[static_cast<std::size_t>(kind)]; }
+  std::size_t place(int code, int index) const {
+    return static_cast<std::size_t>(code * (most_ - least_ + 1) + index - least_);
+  }
+
+  std::vector<Kind> kinds_;
+  std::vector<char> sums_;  // by code, then by sum
+  int least_ = 0;
+  int most_ = 0;
+  int code_ = 0;
+};
+
+// What the branches of one search share.
+struct SharedLimits {
+  using Clock = std::chrono::steady_clock;
+
+  explicit SharedLimits(const SearchLimits& limits);
+
+  SearchPruning pruning;
+  int faces;
+  std::optional<Clock::time_point> deadline;
+  std::function<void(std::int64_t)> progress;
+  std::atomic<bool> stop{false};
+  std::atomic<bool> face_limit_cut{false};
+};
+
+// Copyable: a copy goes on from the partial mesh where the original stands, which is how branches are shared out.
+class Filler {
+ public:
+  using Visit = std::function<void(const Filling&)>;
+  using Fork = std::function<void(const Filler&)>;
+
+  Filler(const std::vector<int>& irregular, SharedLimits& shared);
+
+  // Preparation: vertices, edges and faces that are there already, and one hole.
+  int add_vertex();
+  void add_edge(int a, int b);
+  void add_face(const std::array<int, 4>& face) { filling_.faces.push_back(face); }
+  // The hole's boundary counter-clockwise (the hole on the left): each vertex with the quads that it needs.
+  struct BoundaryVertex {
+    int vertex;
+    int need;
+  };
+  // False if it can not be filled.
+  bool open_hole(const std::vector<BoundaryVertex>& boundary);
+
+  // Calls visit for each filling. With a fork, partial meshes of `fork_at` faces are handed to it instead of being
+  // followed. Returns the number of quads placed.
+  std::int64_t run(const Visit& visit, int fork_at = 0, const Fork* fork = nullptr);
+
+ private:
+  static constexpr int kNone = -1;
+
+  // A vertex on the boundary of a hole. A vertex on several holes has a node in each.
+  struct Node {
+    int vertex;
+    int need;
+    int next;
+    int previous;
+  };
+  // Sums over nodes, three in one word: 21 bits each for their number and for the corners, the rest for missing quads
+  // beyond two, which has a sign. problem_with() and kMostFaces keep each within its bits.
+  class Sums {
+   public:
+    Sums() = default;
+    explicit Sums(int need)
+        : packed_(1 + (std::int64_t{need == 1} << kBits) + (std::int64_t{need - 2} << (2 * kBits))) {}
+    int length() const { return static_cast<int>(packed_ & kMask); }  // nodes; of a whole ring: edges
+    int corners() const { return static_cast<int>((packed_ >> kBits) & kMask); }
+    int turn() const { return static_cast<int>(-(packed_ >> (2 * kBits))); }  // of 2 - need, in quarter turns
+    int concavity() const { return corners() - turn(); }                      // of need - 2 where that is positive
+    bool empty() const { return packed_ == 0; }
+    Sums& operator+=(Sums other) { return packed_ += other.packed_, *this; }
+    Sums& operator-=(Sums other) { return packed_ -= other.packed_, *this; }
+    friend Sums operator+(Sums a, Sums b) { return a += b; }
+    friend Sums operator-(Sums a, Sums b) { return a -= b; }
+
+   private:
+    static constexpr int kBits = 21;
+    static constexpr std::int64_t kMask = (std::int64_t{1} << kBits) - 1;
+    std::int64_t packed_ = 0;
+  };
+  struct Hole {
+    Sums sums;
+    int node;  // where the choice of an edge starts
+    int next;  // the hole to fill after this one
+  };
+
+  // A quad v, w, x, y on the edge v -> w of a hole leaves up to three holes: `before` between w and x, `middle` between
+  // x and y, `after` between y and v. Corners x and y of it are nodes of the ring, or new.
+  struct Corner {
+    int node;   // kNone: a new vertex
+    int kind;   // of a new vertex, in the budget; kNone: valence 4
+    int outer;  // what it needs in `before` (x) or `after` (y)
+    int inner;  // what it needs in `middle`
+  };
+  struct Move {
+    Corner x, y;
+    Sums before, middle, after;  // empty: there is no such hole
+  };
+  // A partial mesh on the current branch: how it was made, to be taken back, and what remains to be tried from it.
+  struct Level {
+    int x_kind, y_kind;
+    int nodes, saved, holes, edges, vertices;  // how many there were before
+    int hole;
+    int least_faces;
+    int first_move;  // its moves are those from here on
+    int v;           // they are on the edge v -> w
+  };
+
+  const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
+  Node& node(int n) { return nodes_[static_cast<std::size_t>(n)]; }
+  int next(int n) const { return node(n).next; }
+  int previous(int n) const { return node(n).previous; }
+  Sums sums_at(int n) const { return Sums(node(n).need); }
+  int concavity(int n) const { return node(n).need > 2 ? node(n).need - 2 : 0; }
+  bool adjacent(int a, int b) const;
+  int least_faces(Sums hole) const;
+  bool fits_budget(Sums hole) const;
+
+  int choose_edge(const Hole& hole) const;
+  void list_moves();
+  void list_y(const Hole& hole, int v, int x, Sums before);
+  void list_shares(const Hole& hole, int v, int x, int y, Sums before, Sums after);
+  bool may_cut(int a, int b, Sums between) const;
+  template <class Then>
+  void for_each_corner(int n, bool outer, bool inner, Then&& then);
+
+  void open_level();
+  void place(const Move& move);
+  void take_back();
+  void look_at_limits();
+  int add_node(int vertex, int need);
+  void save(int n) { saved_.emplace_back(n, node(n)); }
+  void link(int a, int b) { node(a).next = b, node(b).previous = a; }
+  void push_hole(Sums sums, int start);
+
+  Budget budget_;
+  SharedLimits* shared_;
+  SearchPruning pruning_;
+  int face_limit_;
+  bool edges_can_double_;
+  Filling filling_;  // the partial mesh
+  std::vector<Node> nodes_;
+  std::vector<std::pair<int, Node>> saved_;  // what nodes were before they changed
+  std::vector<Hole> holes_;                  // the open ones are linked from hole_ on
+  int hole_ = kNone;
+  int least_faces_ = 0;  // that every filling of this partial mesh has, as far as the lengths of its holes tell
+  struct HalfEdge {
+    int to;
+    int earlier;  // the one added before from the same vertex
+  };
+  std::vector<HalfEdge> edges_;   // in pairs
+  std::vector<int> latest_edge_;  // by vertex
+  std::vector<Move> moves_;
+  std::vector<Level> levels_;
+  std::int64_t states_ = 0;
+  const Visit* visit_ = nullptr;
+  std::size_t fork_at_ = 0;
+  const Fork* fork_ = nullptr;
+};
+
+}  // namespace requad::enumerate
