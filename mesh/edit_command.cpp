@@ -29,7 +29,7 @@ mesh::FeatureEdges read_features(const Options& options, const mesh::Surface& su
 std::string output_path(const Options& options, const std::string& command) {
   if (!options.has("output"))
     throw UsageError(command + ": -o is missing; expected a file to write, or - for standard output");
-  const std::string path = options.text("output");
+  std::string path = options.text("output");
   if (path.ends_with(".off") || path.ends_with(".OFF"))
     throw UsageError(path + ": OBJ is what is written; expected a name that ends in .obj");
   return path;

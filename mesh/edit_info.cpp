@@ -1,5 +1,6 @@
 // requad-edit info: what a mesh is like.
 
+#include <array>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -34,9 +35,9 @@ std::string to_text(const std::map<int, int>& counts, const char* prefix) {
 
 std::string to_text(const Diagnosis::Statistics& s) {
   const auto number = [](double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.4g", value);
-    return std::string(buffer);
+    std::array<char, 32> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
+    return std::string(buffer.data());
   };
   return number(s.least) + " to " + number(s.greatest) + ", mean " + number(s.mean);
 }

@@ -1,5 +1,7 @@
 // requad-edit smooth and subdivide: change where vertices are, or how many there are, but no connectivity.
 
+#include <array>
+#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -69,10 +71,10 @@ int smooth(const Options& options) {
                         {"scaled_jacobian", {{"least", d.scaled_jacobian.least}, {"mean", d.scaled_jacobian.mean}}}};
   };
   const auto line = [](const char* name, const Diagnosis& d) {
-    char buffer[128];
-    std::snprintf(buffer, sizeof buffer, "%s scaled Jacobian mean %.4f, least %.4f, %d inverted\n", name,
+    std::array<char, 128> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%s scaled Jacobian mean %.4f, least %.4f, %d inverted\n", name,
                   d.scaled_jacobian.mean, d.scaled_jacobian.least, d.inverted);
-    return std::string(buffer);
+    return std::string(buffer.data());
   };
   program::finish(options,
                   ordered_json{{"vertices", surface.mesh.vertex_count()},

@@ -1,5 +1,6 @@
 #include "mesh/obj.hpp"
 
+#include <array>
 #include <charconv>
 
 #include "mesh/embedding.hpp"
@@ -11,9 +12,9 @@ namespace {
 
 template <class Number>
 void append(std::string& text, Number value) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-  text.append(buffer, end);
+  std::array<char, 32> buffer;
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), end);
 }
 
 std::string obj_text(const QuadMesh& m, const Positions& positions, const std::vector<std::string>& comments) {

@@ -1,6 +1,7 @@
 #include "mesh/options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iostream>
 #include <limits>
@@ -16,8 +17,8 @@ namespace {
 constexpr std::initializer_list<const char*> kCommon{"help", "version", "quiet", "json", "threads"};
 
 std::string shown(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 }  // namespace

@@ -56,12 +56,12 @@ PolygonMesh parse_off(std::string_view text, const std::string& name);
 // Why the faces, of any number of corners, are no oriented manifold, as "file:line: reason", the line of a face; "" if
 // they are one. Reasons: an edge with three faces or more; faces of an orientable surface that are not oriented alike;
 // a one-sided surface (a Moebius band); a vertex whose faces form more than one fan. O(E log E).
-std::string manifold_problem(const PolygonMesh& polygons);
+std::string manifold_problem(const PolygonMesh& mesh);
 
 // Cuts each n-gon into n quads: one round each corner, which is the quad's first. Vertices: the given ones, untouched,
 // then an edge's midpoint for each edge in the order in which faces first come to it, then each face's mean of corners.
 // V' = V + E + F, F' = sum of n. Lines are kept. O(E log E).
-PolygonMesh subdivide(const PolygonMesh& polygons);
+PolygonMesh subdivide(const PolygonMesh& mesh);
 
 // A quad mesh with positions.
 struct Surface {
@@ -75,7 +75,7 @@ struct Surface {
 
 // Vertices that no face has are dropped, the others keep their order; face i is FaceId(i) with its first corner first.
 // Throws MeshError, one line as in F3: a face that is no quad, or the manifold_problem().
-Surface to_quad_mesh(const PolygonMesh& polygons);
+Surface to_quad_mesh(const PolygonMesh& mesh);
 
 // From the file to the mesh: what a program does with a file it is given.
 Surface read_surface(const std::string& path, bool subdivided);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -123,8 +124,8 @@ PointIndex::PointIndex(PointIndex&&) noexcept = default;
 PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 
 Vector3d PointIndex::nearest(const Vector3d& p) const {
-  std::pair<Point, std::uint32_t> found[1];
-  tree_->points.query(bgi::nearest(to_point(p), 1), found);
+  std::array<std::pair<Point, std::uint32_t>, 1> found;
+  tree_->points.query(bgi::nearest(to_point(p), 1), found.begin());
   const Point& q = found[0].first;
   return {q.get<0>(), q.get<1>(), q.get<2>()};
 }

@@ -25,7 +25,7 @@ class TextScanner {
   double number(const char* what);
   std::int64_t integer(const char* what);
   // A whole word, or the start of one, as an integer: what is left of it, in `rest`, the caller must look at.
-  std::int64_t integer(std::string_view word, std::string_view& rest) const;
+  std::int64_t integer(std::string_view text, std::string_view& rest) const;
 
   int line() const { return line_; }
   std::size_t bytes_left() const { return text_.size() - at_; }
