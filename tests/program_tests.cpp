@@ -298,3 +298,13 @@ TEST_CASE("requad-figures writes what it says", "[programs]") {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
   }
 }
+
+TEST_CASE("verify prints its proofs", "[programs]") {
+  const Outcome one = call("verify", "--proofs --claim T2");
+  CHECK(one.code == 0);
+  CHECK(one.out.find("T2, for all L >= 1, is proved") == 0);
+  CHECK(one.out.find("  given      ") != std::string::npos);
+  CHECK(one.out.find("  computed   ") != std::string::npos);
+  CHECK(call("verify", "--proofs").out.find("\nN2, for all L >= 1, is proved") != std::string::npos);
+  CHECK(call("verify", "--proofs --claim B1").code == 3);  // nothing to prove for all sizes
+}
