@@ -186,7 +186,7 @@ TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
   CHECK(all.code == 0);
   const auto json = nlohmann::json::parse(all.out);
   CHECK(json["passed"] == true);
-  CHECK(json["claims"].size() == 25);
+  CHECK(json["claims"].size() == 27);  // the whole ledger
   // 3-5 regions of perimeter 4..8 do not exist: T4 is undecided there, never "holds".
   const Outcome none = call("verify", "--claim T4 --quad-perimeter 4..8 --json -");
   CHECK(none.code == 3);
@@ -259,4 +259,14 @@ TEST_CASE("requad-figures writes what it says", "[programs]") {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
   }
+}
+
+TEST_CASE("verify prints its proofs", "[programs]") {
+  const Outcome one = call("verify", "--proofs --claim T2");
+  CHECK(one.code == 0);
+  CHECK(one.out.find("T2, for all L >= 1, is proved") == 0);
+  CHECK(one.out.find("  given      ") != std::string::npos);
+  CHECK(one.out.find("  computed   ") != std::string::npos);
+  CHECK(call("verify", "--proofs").out.find("\nN2, for all L >= 1, is proved") != std::string::npos);
+  CHECK(call("verify", "--proofs --claim B1").code == 3);  // nothing to prove for all sizes
 }

@@ -140,6 +140,7 @@ Judgement judge_single_vertex_operations(const Study& s) {
     ++j.checks;
     if (performed(region->mesh, op).irregular.size() <= 1) return violated(*region, mesh::to_string(op) + " does not increase the number of irregular vertices", j);
   }
+  j.applies = j.checks > 0;
   return j;
 }
 
@@ -294,6 +295,7 @@ Judgement judge_quadruple(const Study& s) {
       return violated(*region, "the other flip does not remove 3-3-5-5", j);
     }
   }
+  j.applies = j.checks > 0;  // the smallest grids have no flip that spares the boundary
   return j;
 }
 
