@@ -23,6 +23,13 @@ struct Command {
 Command info_command();
 Command smooth_command();
 Command subdivide_command();
+Command moves_command();
+Command move_command();
+Command cancel_command();
+Command merge_command();
+Command align_command();
+Command part_command();
+Command reduce_command();
 
 // The surface in the one file that the command line names, subdivided if --subdivide says so.
 mesh::Surface read_input(const program::Options& options, const std::string& command);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <utility>
+
+#include "mesh/footprint.hpp"
 
 namespace requad::mesh {
 
@@ -30,7 +33,6 @@ class Reducer {
     smoothing_.iterations = options.smoothing_iterations;
     smoothing_.weights = SmoothingWeights::uniform;
     smoothing_.project_to = options.surface;
-    smoothing_.fixed = [this](VertexId v) { return editor_.is_feature(v); };
   }
 
   ReduceReport run() {
@@ -53,7 +55,7 @@ class Reducer {
       }
     }
     smoothing_.iterations = options_.final_iterations;
-    smooth_all(m_.vertices());
+    smooth_edit(editor_, m_.vertices(), smoothing_);
     report_.minimal = is_minimal();
     return report_;
   }
@@ -94,40 +96,6 @@ class Reducer {
     editor_.roll_back(mark);
   }
 
-  // What a cancellation did to the mesh.
-  struct Footprint {
-    std::vector<VertexId> changed;   // valences, live
-    std::vector<VertexId> removed;
-    std::vector<VertexId> smoothed;  // with their rings
-    std::vector<VertexId> measured;  // and one ring more
-  };
-  Footprint footprint_since(std::size_t mark) {
-    Footprint result;
-    std::vector<VertexId> ids;
-    for (std::size_t i = mark; i < editor_.mark(); ++i) {
-      const Edit& edit = editor_.edits()[i];
-      if (!edit.operates) continue;
-      for (const VertexId v : edit.changed) {
-        if (v.valid()) ids.push_back(v);
-      }
-    }
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-    for (const VertexId v : ids) (m_.is_live(v) ? result.changed : result.removed).push_back(v);
-    const auto always = [](VertexId) { return true; };
-    around_.measure(m_, result.changed, always, always, [](VertexId, int d) { return d > kRings; });
-    for (const VertexId v : around_.met()) {
-      if (around_.distance(v) > kRings + 1) continue;
-      result.measured.push_back(v);
-      if (around_.distance(v) <= kRings && !editor_.is_fixed(v)) result.smoothed.push_back(v);
-    }
-    return result;
-  }
-
-  void smooth_all(const std::vector<VertexId>& vertices) {
-    editor_.rearrange(vertices, [&](Positions& positions) { smooth(m_, positions, vertices, smoothing_); });
-  }
-
   // Cancels the pair and smooths; leaves the mesh as it was if it can not.
   bool make(VertexId three, VertexId five, double& cost) {
     ++report_.measured;
@@ -138,15 +106,15 @@ class Reducer {
       ++report_.refusals[last_.refusal];
       return false;
     }
-    footprint_ = footprint_since(mark);
-    smooth_all(footprint_.smoothed);
+    footprint_ = footprint_since(editor_, around_, mark, kRings + 1);
+    smooth_edit(editor_, std::span(footprint_.near).first(footprint_.inner), smoothing_);
     if (deviation() > options_.max_deviation && options_.max_deviation >= 0) {
       ++report_.too_far;
       editor_.roll_back(mark);
       return false;
     }
     cost = 0;
-    for (const VertexId v : footprint_.measured) {
+    for (const VertexId v : footprint_.near) {
       cost += value(v);
       // A vertex that was made has no value yet; one in whose place it came is forgotten as removed.
       if (v.slot() < values_.size()) cost -= values_[v.slot()];
@@ -159,7 +127,7 @@ class Reducer {
   double deviation() const {
     double largest = 0;
     if (options_.surface == nullptr || options_.max_deviation < 0) return largest;
-    for (const VertexId v : footprint_.smoothed) {
+    for (const VertexId v : std::span(footprint_.near).first(footprint_.inner)) {
       m_.for_each_out(v, [&](HalfEdgeId h) {
         const Eigen::Vector3d centre = face_centre(m_, positions(), QuadMesh::face(h));
         largest = std::max(largest, options_.surface->nearest(centre).distance);
@@ -208,7 +176,7 @@ class Reducer {
     report_.couriers += last_.couriers;
     report_.operations += last_.steps;
     for (const VertexId v : footprint_.removed) remember(v);
-    for (const VertexId v : footprint_.measured) remember(v);
+    for (const VertexId v : footprint_.near) remember(v);
     const std::vector<VertexId> changed = std::move(footprint_.changed);
     for (const VertexId v : changed) add_candidates(v);
     return true;

@@ -1,0 +1,103 @@
+// requad-edit reduce: fewer irregular vertices, by the cheapest cancellations first (Figure 19).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "mesh/diagnosis.hpp"
+#include "mesh/edit_session.hpp"
+#include "mesh/reduce.hpp"
+
+namespace requad::edit {
+
+namespace {
+
+using mesh::Refusal;
+using nlohmann::ordered_json;
+using program::Options;
+using program::UsageError;
+
+// Why it ends where it ends.
+std::string ending(const mesh::ReduceReport& report, int until) {
+  if (report.minimal) return "no v3 is left beside a v5: the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
+  if (report.after <= until) return "--until is reached";
+  std::string text = "what is left can not be cancelled here";
+  for (const auto& [refusal, count] : report.refusals) text += "; " + counted(count, "pair: ", "pairs: ") + std::string(explain(refusal));
+  if (report.too_far > 0) text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+  return text;
+}
+
+int reduce(const Options& options) {
+  if (options.words().size() != 1) throw UsageError("reduce: expected one mesh file; see --help");
+  output_path(options, "reduce");
+  mesh::ReduceOptions how;
+  how.until = static_cast<int>(options.integer("until", 0, 0, 1'000'000'000));
+  const std::string cost = options.text("cost", "shape");
+  if (cost != "shape" && cost != "curvature") throw UsageError("--cost: '" + cost + "' is not one of shape, curvature");
+  how.cost = cost == "shape" ? mesh::ReduceCost::shape : mesh::ReduceCost::curvature;
+  const double deviation = options.number("max-deviation", -1, 0, 1);
+  how.smoothing_iterations = static_cast<int>(options.integer("smooth", how.smoothing_iterations, 0, 100'000));
+  how.final_iterations = static_cast<int>(options.integer("final-smooth", how.final_iterations, 0, 100'000));
+
+  Session session(options, "reduce");
+  how.surface = &session.surface();
+  const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
+  if (deviation >= 0) how.max_deviation = deviation * diagonal;
+  const auto count = mesh::diagnose(session.mesh(), session.positions()).interior_irregular;
+  program::Progress progress("irregular vertices less", count, options.quiet());
+  int last = count;
+  how.progress = [&](int irregular) {
+    progress.advance(std::max(0, last - irregular));
+    last = std::min(last, irregular);
+  };
+  const mesh::ReduceReport report = mesh::reduce(session.editor(), how);
+  progress.finish();
+
+  const double hausdorff =
+      mesh::hausdorff_distance({session.mesh(), session.positions()}, {session.input().mesh, session.input().positions}) / diagonal;
+  std::map<int, int> valences;
+  for (const mesh::VertexId v : session.mesh().vertices()) {
+    const int l = session.mesh().valence(v);
+    if (!session.mesh().is_boundary(v) && l != 4) ++valences[l];
+  }
+  ordered_json left = ordered_json::object();
+  std::string kinds;
+  for (const auto& [l, n] : valences) {
+    left[std::to_string(l)] = n;
+    kinds += (kinds.empty() ? "" : " ") + std::to_string(n) + " v" + std::to_string(l);
+  }
+  const std::string why = ending(report, how.until);
+  char measured[64];
+  std::snprintf(measured, sizeof measured, "%.4f", hausdorff);
+  return session.done({{"irregular", {{"before", report.before}, {"after", report.after}}},
+                       {"left", left},
+                       {"cancelled", report.cancelled},
+                       {"couriers", report.couriers},
+                       {"operations", report.operations},
+                       {"measured", report.measured},
+                       {"minimal", report.minimal},
+                       {"ended", why},
+                       {"feature_edges", session.features().size()},
+                       {"hausdorff", hausdorff}},
+                      std::to_string(report.before) + " irregular vertices became " + std::to_string(report.after) +
+                          (kinds.empty() ? "" : " (" + kinds + ")") + " by " +
+                          counted(report.cancelled, "cancellation", "cancellations") + "\n" + why +
+                          "\nHausdorff distance from the input, over the diagonal: " + measured + "\n");
+}
+
+}  // namespace
+
+Command reduce_command() {
+  return {"reduce",
+          std::string("  requad-edit reduce IN -o OUT [--until N] [--max-deviation D] [--cost shape|curvature] [--final-smooth N]\n"
+                      "      cancels pairs of a v3 and a v5, the cheapest first, until N irregular vertices or none that can be\n"
+                      "      cancelled are left. D: how far a face's centre may come from IN's surface, over its diagonal.\n"
+                      "      Cost: the change of sum (1 - scaled Jacobian) area, or of |mean curvature| (the paper's)\n") +
+              kEditingHelp,
+          {"requad-edit reduce spot.obj -o spot8.obj", "requad-edit reduce fandisk.obj --feature-angle 40 -o less.obj",
+           "requad-edit reduce bunny.obj --until 40 --max-deviation 0.01 -o less.obj"},
+          editing_options({{}, {"until", "max-deviation", "cost", "final-smooth"}, {}}),
+          reduce};
+}
+
+}  // namespace requad::edit

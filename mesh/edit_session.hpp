@@ -1,0 +1,75 @@
+// What the editing commands share: a surface with its features and an editor, vertices by their numbers in files, local
+// smoothing, and how results are written.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/complementary.hpp"
+#include "mesh/edit_command.hpp"
+#include "mesh/footprint.hpp"
+
+namespace requad::edit {
+
+// The options of every editing command, beside its own.
+program::OptionTable editing_options(program::OptionTable own = {});
+// The lines of help on them.
+extern const char* const kEditingHelp;
+
+class Session {
+ public:
+  // Reads the surface that the first word names. Throws like read_input().
+  Session(const program::Options& options, std::string command);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  const program::Options& options() const { return options_; }
+  const mesh::Surface& input() const { return input_; }
+  const mesh::QuadMesh& mesh() const { return mesh_; }
+  const mesh::Positions& positions() const { return positions_; }
+  const mesh::FeatureSet& features() const { return features_; }
+  mesh::Editor& editor() { return editor_; }
+  // The input's surface.
+  const mesh::SurfaceIndex& surface();
+
+  // The vertex that a word names: its number in the input file, from 1. Throws UsageError.
+  mesh::VertexId vertex(const std::string& word) const;
+  // The number that a vertex has in the mesh as it would be written now, from 1.
+  int number(mesh::VertexId v) const;
+  // "12 (v3)".
+  std::string describe(mesh::VertexId v) const;
+
+  // Smooths round what edits changed since the mark, unless --smooth 0 says not to.
+  void smooth_since(std::size_t mark);
+
+  // The end of an edit that was made: writes -o and --script, reports. `summary` gets the sizes before and after.
+  int done(nlohmann::ordered_json summary, const std::string& text);
+  // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written. If
+  // the features alone are in the way, it says so: `without_features` tries again on a copy that has none.
+  template <class Try>
+  int refused(const std::string& wish, mesh::Refusal why, Try&& without_features) {
+    bool features_only = false;
+    if (why == mesh::Refusal::no_way && !features_.empty()) {
+      mesh::QuadMesh copy = mesh_;
+      mesh::Editor free(copy);
+      features_only = without_features(free) == mesh::Refusal::none;
+    }
+    return report_refusal(wish, features_only ? mesh::Refusal::breaks_feature : why);
+  }
+  int report_refusal(const std::string& wish, mesh::Refusal why);
+
+ private:
+  const program::Options& options_;
+  std::string command_;
+  mesh::Surface input_;
+  mesh::QuadMesh mesh_;
+  mesh::Positions positions_;
+  mesh::FeatureSet features_;
+  mesh::Editor editor_;
+  std::optional<mesh::SurfaceIndex> surface_;
+  mesh::Surroundings surroundings_;
+};
+
+}  // namespace requad::edit
