@@ -1,0 +1,165 @@
+// Reducing meshes to their topological minimum, on generated and on real ones.
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/feature_detection.hpp"
+#include "mesh/polygon_file.hpp"
+#include "mesh/reduce.hpp"
+#include "mesh/separatrix.hpp"
+#include "mesh/validate.hpp"
+#include "tests/catch.hpp"
+#include "tests/programs.hpp"
+#include "tests/support.hpp"
+
+using namespace requad;
+using namespace requad::mesh;
+
+namespace {
+
+std::map<int, int> irregular_valences(const QuadMesh& m) {
+  std::map<int, int> result;
+  for (const VertexId v : irregular_vertices(m)) ++result[m.valence(v)];
+  return result;
+}
+
+ReduceOptions without_smoothing() {
+  ReduceOptions how;
+  how.smoothing_iterations = 1;
+  how.final_iterations = 0;
+  return how;
+}
+
+}  // namespace
+
+TEST_CASE("Laws R1-R3: real meshes reach what discrete Gauss-Bonnet leaves, and can be taken back", "[reduce][real]") {
+  struct Expected {
+    const char* name;
+    std::map<int, int> left;  // sum of 4 - l(v) = 4 chi; genus 0: eight v3s, genus 1: none, genus 5: 32 v5s
+  };
+  for (const Expected& expected : {Expected{"spot", {{3, 8}}}, {"fandisk_bommes", {{3, 8}}}, {"bunny_qex", {{3, 8}}},
+                                   {"bob", {}}, {"botijo_miq", {{5, 32}}}}) {
+    INFO(expected.name);
+    const auto path = tests::real_mesh(expected.name);
+    if (!path) continue;
+    const Surface input = read_surface(*path, false);
+    std::string first;
+    for (int round = 0; round < 2; ++round) {
+      QuadMesh m = input.mesh;
+      Positions positions = input.positions;
+      Editor editor(m, nullptr, &positions);
+      int least = total_index(m);
+      ReduceOptions how = without_smoothing();
+      how.progress = [&](int irregular) { least = irregular; };
+      const ReduceReport report = reduce(editor, how);
+      CHECK(report.before == static_cast<int>(irregular_vertices(input.mesh).size()));
+      CHECK(report.after == least);
+      CHECK(report.minimal);
+      CHECK(irregular_valences(m) == expected.left);
+      CHECK(validate(m).empty());
+      CHECK(euler_characteristic(m) == euler_characteristic(input.mesh));
+      // The same again, whatever was in memory.
+      const std::string now = std::to_string(report.operations) + " " + std::to_string(m.face_count());
+      if (round == 0) first = now;
+      CHECK(now == first);
+      editor.roll_back();
+      CHECK(m == input.mesh);
+      for (const VertexId v : m.vertices()) CHECK(positions[v.slot()] == input.positions[v.slot()]);
+    }
+  }
+}
+
+TEST_CASE("reduce stops where it is told to, and within the deviation it is given", "[reduce][real]") {
+  const auto path = tests::real_mesh("spot");
+  if (!path) return;
+  const Surface input = read_surface(*path, false);
+  const SurfaceIndex surface(input.mesh, input.positions);
+  const double diagonal = bounding_box_diagonal(input.mesh, input.positions);
+  for (const ReduceCost cost : {ReduceCost::curvature, ReduceCost::shape}) {
+    QuadMesh m = input.mesh;
+    Positions positions = input.positions;
+    Editor editor(m, nullptr, &positions);
+    ReduceOptions how;
+    how.cost = cost;
+    how.until = 60;
+    how.surface = &surface;
+    const ReduceReport report = reduce(editor, how);
+    CHECK(report.after <= 60);
+    CHECK(report.after >= 56);  // a cancellation takes at most four
+    CHECK(report.after == static_cast<int>(irregular_vertices(m).size()));
+  }
+  QuadMesh m = input.mesh;
+  Positions positions = input.positions;
+  Editor editor(m, nullptr, &positions);
+  ReduceOptions how;
+  how.surface = &surface;
+  how.final_iterations = 0;
+  how.max_deviation = 1e-3 * diagonal;
+  const ReduceReport report = reduce(editor, how);
+  CHECK(report.too_far > 0);
+  CHECK_FALSE(report.minimal);
+  CHECK(report.after > 8);
+  CHECK(report.after < report.before);
+}
+
+TEST_CASE("features and boundaries are kept bit by bit", "[reduce][real]") {
+  for (const char* name : {"fandisk_bommes", "pawn"}) {
+    INFO(name);
+    const auto path = tests::real_mesh(name);
+    if (!path) continue;
+    const Surface input = read_surface(*path, false);
+    FeatureSet features;
+    for (const auto& [a, b] : sharp_edges(input.mesh, input.positions, 40)) features.insert(a, b);
+    REQUIRE(features.size() > 0);
+    QuadMesh m = input.mesh;
+    Positions positions = input.positions;
+    Editor editor(m, &features, &positions);
+    reduce(editor, {});
+    for (const auto& [a, b] : features.edges()) {
+      REQUIRE(m.is_live(a));
+      REQUIRE(m.is_live(b));
+      CHECK(m.adjacent(a, b));
+      CHECK(positions[a.slot()] == input.positions[a.slot()]);
+      CHECK(positions[b.slot()] == input.positions[b.slot()]);
+    }
+    for (const VertexId v : input.mesh.vertices()) {
+      if (!input.mesh.is_boundary(v)) continue;
+      REQUIRE(m.is_live(v));
+      CHECK(m.is_boundary(v));
+      CHECK(positions[v.slot()] == input.positions[v.slot()]);
+    }
+  }
+}
+
+TEST_CASE("requad-edit edits pairs, and says why not", "[programs][real]") {
+  using nlohmann::json;
+  using tests::call;
+  const auto path = tests::real_mesh("spot");
+  if (!path) return;
+  const Surface input = read_surface(*path, false);
+  // A v3 and a v5, and a regular vertex, by their numbers in the file.
+  std::map<int, int> number;
+  for (const VertexId v : input.mesh.vertices()) number.emplace(input.mesh.valence(v), input.file_vertex[v.slot()] + 1);
+  const std::string three = std::to_string(number.at(3)), four = std::to_string(number.at(4)), five = std::to_string(number.at(5));
+  const auto cancelled = call("edit", "cancel " + *path + " " + three + " " + five + " -o cancelled.obj --json -");
+  REQUIRE(cancelled.code == 0);
+  const json report = json::parse(cancelled.out);
+  CHECK(report["after"]["interior_irregular"] < report["before"]["interior_irregular"]);
+  CHECK(report["couriers"] > 0);
+  const auto again = call("edit", "info cancelled.obj --json -");
+  CHECK(json::parse(again.out)["interior_irregular"] == report["after"]["interior_irregular"]);
+  CHECK(json::parse(again.out)["genus"] == 0);
+
+  const auto wrong = call("edit", "cancel " + *path + " " + three + " " + four + " -o none.obj");
+  CHECK(wrong.code == 1);
+  CHECK(wrong.err.find("do not have the valences") != std::string::npos);
+  CHECK(!std::filesystem::exists(tests::scratch() / "none.obj"));
+  CHECK(call("edit", "cancel " + *path + " 1 0 -o none.obj").code == 2);
+  CHECK(call("edit", "merge " + *path + " " + three + " -o none.obj").code == 2);
+  CHECK(call("edit", "part " + *path + " -o parted.obj --json -").code == 0);
+  const json parted = json::parse(call("edit", "info parted.obj --json -").out)["valences"];
+  CHECK(parted.size() == 3);
+  const auto listed = call("edit", "moves " + *path + " " + three + " " + five + " --json -");
+  REQUIRE(listed.code == 0);
+  CHECK(json::parse(listed.out)["moves"].size() >= 4);
+}
