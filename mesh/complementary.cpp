@@ -13,7 +13,9 @@ namespace requad::mesh {
 
 namespace {
 
-bool contains(std::span<const VertexId> list, VertexId v) { return std::find(list.begin(), list.end(), v) != list.end(); }
+bool contains(std::span<const VertexId> list, VertexId v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
 
 // The first half-edge of a shortest path from one vertex to another over regular, unfixed vertices; none if there is no
 // such path.
@@ -51,8 +53,8 @@ struct Manner {
 };
 constexpr std::array<Manner, 4> kManners{{{false, false}, {true, false}, {false, true}, {true, true}}};
 
-Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, VertexId five, std::vector<VertexId> helpers,
-                              Manner manner) {
+Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, VertexId five,
+                              std::vector<VertexId> helpers, Manner manner) {
   const QuadMesh& m = editor.mesh();
   Cancellation result;
   Surroundings around;
@@ -88,7 +90,8 @@ Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, 
 
 }  // namespace
 
-Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five, const std::vector<VertexId>& helpers) {
+Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
+                         const std::vector<VertexId>& helpers) {
   const QuadMesh& m = editor.mesh();
   Cancellation result;
   if (editor.is_fixed(three) || editor.is_fixed(five) || m.face_valence(three) > 3 || m.face_valence(five) < 5) {
@@ -145,7 +148,8 @@ PairResult move_repeatedly(Editor& editor, PairFrame frame, Choose&& choose) {
 std::pair<Refusal, std::vector<PairFrame>> frames_of(const Editor& editor, VertexId v1, VertexId v2) {
   const QuadMesh& m = editor.mesh();
   const auto wrong = [&](VertexId v) { return m.is_boundary(v) || (m.face_valence(v) != 3 && m.face_valence(v) != 5); };
-  if (v1 == v2 || wrong(v1) || wrong(v2) || m.face_valence(v1) != m.face_valence(v2)) return {Refusal::wrong_valences, {}};
+  if (v1 == v2 || wrong(v1) || wrong(v2) || m.face_valence(v1) != m.face_valence(v2))
+    return {Refusal::wrong_valences, {}};
   std::vector<PairFrame> frames = find_frames(m, v1, v2);
   const Refusal refusal = frames.empty() ? Refusal::no_such_step : Refusal::none;
   return {refusal, std::move(frames)};
@@ -213,7 +217,8 @@ std::vector<Parting> partings(const QuadMesh& m, VertexId v) {
       std::transform(c.begin(), c.end(), before.begin(), [&](VertexId x) { return m.valence(x); });
       // The far corner keeps its name: it takes v in.
       const HalfEdgeId keep = QuadMesh::opposite(h);
-      const std::array<int, 3> after{m.valence(m.origin(keep)), m.valence(m.target(h)) - 1, m.valence(m.target(keep)) - 1};
+      const std::array<int, 3> after{m.valence(m.origin(keep)), m.valence(m.target(h)) - 1,
+                                     m.valence(m.target(keep)) - 1};
       result.push_back({{BasicOperation::Kind::collapse, keep, {}, 0}, irregularity(before) - irregularity(after)});
     }
     return result;
@@ -226,7 +231,8 @@ std::vector<Parting> partings(const QuadMesh& m, VertexId v) {
     const int lb = m.valence(m.target(end));
     const std::array<int, 3> before{l, la, lb};
     const std::array<int, 4> after{half + 1, l - half + 1, la + 1, lb + 1};
-    result.push_back({{BasicOperation::Kind::split, first, m.twin(end), 0}, irregularity(before) - irregularity(after)});
+    result.push_back(
+        {{BasicOperation::Kind::split, first, m.twin(end), 0}, irregularity(before) - irregularity(after)});
   }
   return result;
 }

@@ -1,7 +1,7 @@
 // The complementary operations of section 8: cancel, merge, align, and changes of type.
 //
-// All of them are couriers sent from one irregular vertex to another (courier.hpp), or pair moves (pair_moves.hpp) where
-// the pair spans a rectangle. Each leaves the mesh as it was if it can not be finished, and then says why.
+// All of them are couriers sent from one irregular vertex to another (courier.hpp), or pair moves (pair_moves.hpp)
+// where the pair spans a rectangle. Each leaves the mesh as it was if it can not be finished, and then says why.
 #pragma once
 
 #include <array>
@@ -20,19 +20,21 @@ struct Cancellation {
   std::vector<VertexId> helpers;  // where the vertices that took the couriers are now, those that are still irregular
 };
 
-// Cancels a v3 and a v5 (or brings a vertex of higher valence nearer to regular). The v3 walks to the v5 along a shortest
-// path; every step sends a courier to one of the helpers, which moves by an edge each time; the last courier is the
-// adjacent pair itself. The helpers are the third vertices of section 8, at least one; a helper that a courier makes
-// regular drops out (a 3-3-5-5 removal).
+// Cancels a v3 and a v5 (or brings a vertex of higher valence nearer to regular). The v3 walks to the v5 along a
+// shortest path; every step sends a courier to one of the helpers, which moves by an edge each time; the last courier
+// is the adjacent pair itself. The helpers are the third vertices of section 8, at least one; a helper that a courier
+// makes regular drops out (a 3-3-5-5 removal).
 //
 // Refusals: wrong_valences; lone_pair without helpers; no_way if the v3 can not reach the v5 or a courier no helper
 // without a feature, the boundary or another irregular vertex in the way. Cost: (distance of the pair) journeys.
-Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five, const std::vector<VertexId>& helpers);
+Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
+                         const std::vector<VertexId>& helpers);
 
 // The vertices nearest to some vertex for which wanted(v) holds, nearest first, at most `most`. Looks through vertices
 // that are not fixed, no further than it must.
 template <class Wanted>
-std::vector<VertexId> nearest(const Editor& editor, Surroundings& surroundings, VertexId from, int most, Wanted&& wanted) {
+std::vector<VertexId> nearest(const Editor& editor, Surroundings& surroundings, VertexId from, int most,
+                              Wanted&& wanted) {
   std::vector<VertexId> found;
   surroundings.measure(
       editor.mesh(), std::array{from}, [&](VertexId v) { return !editor.is_fixed(v); }, [](VertexId) { return true; },
@@ -49,10 +51,11 @@ struct PairResult {
   int moves = 0;
   PairFrame frame;  // of the pair in the end; extents 0, 0 if it is merged
 };
-// Merges a 3-3 pair into a v2, or a 5-5 pair into a v6, by pair moves. Refusals: wrong_valences, odd_distance, or the one
-// of the move that was refused. A pair that spans no rectangle: no_such_step.
+// Merges a 3-3 pair into a v2, or a 5-5 pair into a v6, by pair moves. Refusals: wrong_valences, odd_distance, or the
+// one of the move that was refused. A pair that spans no rectangle: no_such_step.
 PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2);
-// Moves a 3-3 or 5-5 pair until d1 or d2 is 0, by as few moves as there are ways, first those that change the fewest faces.
+// Moves a 3-3 or 5-5 pair until d1 or d2 is 0, by as few moves as there are ways, first those that change the fewest
+// faces.
 PairResult align_pair(Editor& editor, VertexId v1, VertexId v2);
 
 // Parts a vertex of valence 2 or more than 5 by one operation into vertices nearer to regular: a v2 by a collapse, a

@@ -6,9 +6,12 @@ namespace requad::mesh {
 
 const char* name(CourierStep::Way way) {
   switch (way) {
-    case CourierStep::Way::collapse: return "collapse";
-    case CourierStep::Way::flip: return "flip";
-    case CourierStep::Way::split: return "split";
+    case CourierStep::Way::collapse:
+      return "collapse";
+    case CourierStep::Way::flip:
+      return "flip";
+    case CourierStep::Way::split:
+      return "split";
   }
   return "";
 }
@@ -31,7 +34,8 @@ PlannedStep plan(const QuadMesh& m, HalfEdgeId courier, CourierStep step, int tu
       const HalfEdgeId across = m.twin(edge);
       result.operation = {left ? BasicOperation::Kind::flip_cw : BasicOperation::Kind::flip_ccw, edge, {}, 0};
       result.next_u = left ? m.target(edge) : m.origin(edge);
-      if (across.valid()) result.next_v = left ? m.origin(QuadMesh::previous(across)) : m.target(QuadMesh::next(across));
+      if (across.valid())
+        result.next_v = left ? m.origin(QuadMesh::previous(across)) : m.target(QuadMesh::next(across));
       result.edge = edge;
       result.reversed = left;
       break;
@@ -148,16 +152,19 @@ void Courier::expand(int node, HalfEdgeId courier, std::span<const VertexId> tar
     const Node& here = nodes_[static_cast<std::size_t>(node)];
     const int crossings = here.crossings + (at_u == Landing::crossed ? 1 : 0) + (at_v == Landing::crossed ? 1 : 0);
     if (crossings > most_crossings_) continue;
-    const std::int64_t key = 4 * static_cast<std::int64_t>(planned.edge.index()) + 2 * crossings + (planned.reversed ? 1 : 0);
+    const std::int64_t key =
+        4 * static_cast<std::int64_t>(planned.edge.index()) + 2 * crossings + (planned.reversed ? 1 : 0);
     if (!absorbed && !seen_.insert(key).second) continue;
     const int depth = here.depth + 1;
-    const int rest = absorbed ? 0 : std::min(splits ? farthest_ + 1 : distance(planned.next_u), distance(planned.next_v));
+    const int rest =
+        absorbed ? 0 : std::min(splits ? farthest_ + 1 : distance(planned.next_u), distance(planned.next_v));
     nodes_.push_back({node, depth, crossings, absorbed, absorbed_by, planned});
     open_.push({depth + rest, depth, static_cast<int>(nodes_.size()) - 1});
   }
 }
 
-Transport Courier::carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross, std::int64_t most_states) {
+Transport Courier::carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross,
+                         std::int64_t most_states) {
   Transport result;
   const std::size_t base = editor_.mark();
   most_crossings_ = may_cross ? 1 : 0;

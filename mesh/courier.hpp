@@ -1,8 +1,8 @@
 // The courier: an adjacent 3-5 pair on its way (sections 5 and 6).
 //
 // The smallest piece of an edit that does not stay where it is made. Moving an irregular vertex by one edge leaves an
-// adjacent 3-5 pair behind; it can travel to any other irregular vertex and be absorbed there, which moves that one by an
-// edge too. So every operation of the paper on two or more irregular vertices is couriers sent from one to another.
+// adjacent 3-5 pair behind; it can travel to any other irregular vertex and be absorbed there, which moves that one by
+// an edge too. So every operation of the paper on two or more irregular vertices is couriers sent from one to another.
 //
 // A courier is written as the half-edge from its v3 to its v5. More generally the courier u -> v stands for "u has one
 // edge less, v one more than without it", whatever valences they have without it. That includes both ends of a journey:
@@ -21,7 +21,8 @@
 //      u --> v --- x        split     v along u - v - z, z the second edge from v3 on that hand; the courier is then
 //                                     (the part of v on that hand) -> z
 //
-// Law C1. A step raises the valence of u by one and lowers that of v by one (back to what they are without the courier),
+// Law C1. A step raises the valence of u by one and lowers that of v by one (back to what they are without the
+// courier),
 //         lowers that of the next u by one and raises that of the next v by one, and changes no other. A collapse needs
 //         l(u) = 3 for that.
 // Law C2. So a journey over regular vertices leaves nothing but regular vertices behind.
@@ -77,22 +78,23 @@ struct Transport {
   HalfEdgeId courier;               // where it was absorbed; u or v of it is the vertex that moved
   VertexId absorbed_by;             // that vertex, before it moved; its id still exists
   int steps = 0;
-  std::int64_t states = 0;          // places of the courier that were looked at
+  std::int64_t states = 0;  // places of the courier that were looked at
 };
 
 // Carries couriers by shortest paths over regular vertices, round features, boundaries and irregular vertices
-// (Figure 7). It looks ahead on the mesh itself, by best-first search over sequences of steps, each of them checked; what
-// it does not choose is taken back. It keeps its working memory from one journey to the next.
+// (Figure 7). It looks ahead on the mesh itself, by best-first search over sequences of steps, each of them checked;
+// what it does not choose is taken back. It keeps its working memory from one journey to the next.
 //
-// Costs: states visited times the distance between consecutive ones; close to the length of the path where nothing is in
-// the way. Nothing grows with the mesh, but the memory: two integers for each vertex.
+// Costs: states visited times the distance between consecutive ones; close to the length of the path where nothing is
+// in the way. Nothing grows with the mesh, but the memory: two integers for each vertex.
 class Courier {
  public:
   explicit Courier(Editor& editor) : editor_(editor) {}
 
   // Carries the courier from `start` until one of the targets absorbs it. Never changes the valence of a fixed vertex,
   // nor that of any irregular vertex but the targets, one of which it may cross. On refusal the mesh is as before.
-  Transport carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross = true, std::int64_t most_states = 4000);
+  Transport carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross = true,
+                  std::int64_t most_states = 4000);
 
  private:
   struct Node {

@@ -51,8 +51,8 @@ Way try_step(Editor& editor, const PairMove& move) {
   const mesh::PairFrame& to = report.inverse.frame;
   way.operations = static_cast<int>(report.operations.size());
   way.faces = static_cast<int>(report.faces_made.size()) - static_cast<int>(report.faces_deleted.size());
-  way.effect = "(" + std::to_string(move.frame.a) + "," + std::to_string(move.frame.b) + ") becomes (" + std::to_string(to.a) +
-               "," + std::to_string(to.b) + ")";
+  way.effect = "(" + std::to_string(move.frame.a) + "," + std::to_string(move.frame.b) + ") becomes (" +
+               std::to_string(to.a) + "," + std::to_string(to.b) + ")";
   return way;
 }
 
@@ -60,7 +60,8 @@ Way try_step(Editor& editor, const PairMove& move) {
 Way try_courier(Session& session, mesh::Courier& courier, VertexId from, VertexId to, HalfEdgeId edge) {
   const QuadMesh& m = session.mesh();
   const int faces = m.face_count();
-  Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(m.target(edge))), "", Refusal::none, 0, 0};
+  Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(m.target(edge))), "",
+          Refusal::none, 0, 0};
   const mesh::Transport journey = courier.carry(m.face_valence(from) == 3 ? edge : m.twin(edge), std::array{to});
   way.refusal = journey.refusal;
   if (way.refusal != Refusal::none) return way;
@@ -75,7 +76,9 @@ template <class Visit>
 Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
   const QuadMesh& m = session.mesh();
   Editor& editor = session.editor();
-  const auto is_one = [&](VertexId v) { return !editor.is_fixed(v) && (m.face_valence(v) == 3 || m.face_valence(v) == 5); };
+  const auto is_one = [&](VertexId v) {
+    return !editor.is_fixed(v) && (m.face_valence(v) == 3 || m.face_valence(v) == 5);
+  };
   if (a == b || !is_one(a) || !is_one(b)) return Refusal::wrong_valences;
   const std::size_t mark = editor.mark();
   const std::vector<PairMove> steps = mesh::pair_moves(m, a, b);
@@ -110,8 +113,11 @@ int moves(const Options& options) {
       entry["why"] = explain(way.refusal);
     }
     list.push_back(entry);
-    text += way.name + ": " + (legal ? way.effect + ", " + signed_text(way.faces) + " faces by " + counted(way.operations, "operation", "operations")
-                                     : "no: " + std::string(explain(way.refusal))) + "\n";
+    text += way.name + ": " +
+            (legal ? way.effect + ", " + signed_text(way.faces) + " faces by " +
+                         counted(way.operations, "operation", "operations")
+                   : "no: " + std::string(explain(way.refusal))) +
+            "\n";
     return false;
   });
   if (refusal != Refusal::none) return session.report_refusal(and_(session, a, b), refusal);
@@ -139,8 +145,9 @@ int move(const Options& options) {
   if (!found) throw UsageError("move: '" + wanted + "' is no step of this pair; `requad-edit moves` lists them");
   if (made.refusal != Refusal::none) return session.report_refusal(wish, made.refusal);
   session.smooth_since(mark);
-  return session.done({{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces}},
-                      made.name + ": " + made.effect + "\n");
+  return session.done(
+      {{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces}},
+      made.name + ": " + made.effect + "\n");
 }
 
 // --- cancel, merge, align, part --------------------------------------------------------------------------------------
@@ -156,7 +163,8 @@ int cancel(const Options& options) {
   std::vector<VertexId> helpers;
   for (const std::string& word : options.list("with")) {
     helpers.push_back(session.vertex(word));
-    if (helpers.back() == three || helpers.back() == five) throw UsageError("cancel: --with " + word + " is one of the pair");
+    if (helpers.back() == three || helpers.back() == five)
+      throw UsageError("cancel: --with " + word + " is one of the pair");
   }
   mesh::Surroundings around;
   const auto third = [&, a = three, b = five](VertexId v) { return v != a && v != b && m.face_valence(v) != 4; };
@@ -192,7 +200,8 @@ int change_pair(const Options& options, const std::string& command, Operation&& 
   const std::size_t mark = session.editor().mark();
   const mesh::PairResult result = operation(session.editor(), a, b);
   if (result.refusal != Refusal::none) {
-    return session.refused(wish, result.refusal, [&, v1 = a, v2 = b](Editor& free) { return operation(free, v1, v2).refusal; });
+    return session.refused(wish, result.refusal,
+                           [&, v1 = a, v2 = b](Editor& free) { return operation(free, v1, v2).refusal; });
   }
   session.smooth_since(mark);
   const mesh::PairFrame& f = result.frame;
@@ -200,8 +209,8 @@ int change_pair(const Options& options, const std::string& command, Operation&& 
   ordered_json vertices = ordered_json::array({session.number(f.v1)});
   if (f.v1 != f.v2) vertices.push_back(session.number(f.v2));
   return session.done({{"moves", result.moves}, {"vertices", vertices}, {"d1", f.a}, {"d2", f.b}},
-                      wish + " are now " + now + " at (" + std::to_string(f.a) + "," + std::to_string(f.b) + "), after " +
-                          counted(result.moves, "move", "moves") + "\n");
+                      wish + " are now " + now + " at (" + std::to_string(f.a) + "," + std::to_string(f.b) +
+                          "), after " + counted(result.moves, "move", "moves") + "\n");
 }
 
 int merge(const Options& options) { return change_pair(options, "merge", mesh::merge_pair); }
@@ -227,35 +236,56 @@ int part(const Options& options) {
   return session.done({{"operations", made}}, "parted by " + counted(made, "operation", "operations") + "\n");
 }
 
-std::string usage(const std::string& head, const std::string& what) { return "  requad-edit " + head + "\n      " + what + "\n" + kEditingHelp; }
+std::string usage(const std::string& head, const std::string& what) {
+  return "  requad-edit " + head + "\n      " + what + "\n" + kEditingHelp;
+}
 
 }  // namespace
 
 Command moves_command() {
-  return {"moves", usage("moves IN A B", "the moves that the pair A, B can make, each with its effect, before any is made (section 6)"),
-          {"requad-edit moves spot.obj 12 40"}, editing_options(), moves};
+  return {"moves",
+          usage("moves IN A B",
+                "the moves that the pair A, B can make, each with its effect, before any is made (section 6)"),
+          {"requad-edit moves spot.obj 12 40"},
+          editing_options(),
+          moves};
 }
 Command move_command() {
-  return {"move", usage("move IN A B --step NAME -o OUT", "makes one of them"),
-          {"requad-edit move spot.obj 12 40 --step slide_first -o moved.obj"}, editing_options({{}, {"step"}, {}}), move};
+  return {"move",
+          usage("move IN A B --step NAME -o OUT", "makes one of them"),
+          {"requad-edit move spot.obj 12 40 --step slide_first -o moved.obj"},
+          editing_options({{}, {"step"}, {}}),
+          move};
 }
 Command cancel_command() {
   return {"cancel",
           usage("cancel IN A B [--with C]... -o OUT",
                 "cancels a v3 and a v5 with the help of third vertices (section 8): those of --with, or the nearest"),
-          {"requad-edit cancel spot.obj 12 40 -o less.obj"}, editing_options({{}, {}, {"with"}}), cancel};
+          {"requad-edit cancel spot.obj 12 40 -o less.obj"},
+          editing_options({{}, {}, {"with"}}),
+          cancel};
 }
 Command merge_command() {
-  return {"merge", usage("merge IN A B -o OUT", "merges a 3-3 pair to a v2, a 5-5 pair to a v6; their distance must be even"),
-          {"requad-edit merge spot.obj 12 40 -o merged.obj"}, editing_options(), merge};
+  return {"merge",
+          usage("merge IN A B -o OUT", "merges a 3-3 pair to a v2, a 5-5 pair to a v6; their distance must be even"),
+          {"requad-edit merge spot.obj 12 40 -o merged.obj"},
+          editing_options(),
+          merge};
 }
 Command align_command() {
-  return {"align", usage("align IN A B -o OUT", "moves a 3-3 or 5-5 pair until a separatrix joins them"),
-          {"requad-edit align spot.obj 12 40 -o aligned.obj"}, editing_options(), align};
+  return {"align",
+          usage("align IN A B -o OUT", "moves a 3-3 or 5-5 pair until a separatrix joins them"),
+          {"requad-edit align spot.obj 12 40 -o aligned.obj"},
+          editing_options(),
+          align};
 }
 Command part_command() {
-  return {"part", usage("part IN [V] -o OUT", "parts a vertex of valence 2 or more than 5 (Figure 5), or all of them, into v3s and v5s"),
-          {"requad-edit part pawn.obj -o parted.obj"}, editing_options(), part};
+  return {"part",
+          usage("part IN [V] -o OUT",
+                "parts a vertex of valence 2 or more than 5 (Figure 5), or all of them, into v3s and v5s"),
+          {"requad-edit part pawn.obj -o parted.obj"},
+          editing_options(),
+          part};
 }
 
 }  // namespace requad::edit

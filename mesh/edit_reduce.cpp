@@ -19,11 +19,14 @@ using program::UsageError;
 
 // Why it ends where it ends.
 std::string ending(const mesh::ReduceReport& report, int until) {
-  if (report.minimal) return "no v3 is left beside a v5: the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
+  if (report.minimal)
+    return "no v3 is left beside a v5: the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
   if (report.after <= until) return "--until is reached";
   std::string text = "what is left can not be cancelled here";
-  for (const auto& [refusal, count] : report.refusals) text += "; " + counted(count, "pair: ", "pairs: ") + std::string(explain(refusal));
-  if (report.too_far > 0) text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+  for (const auto& [refusal, count] : report.refusals)
+    text += "; " + counted(count, "pair: ", "pairs: ") + std::string(explain(refusal));
+  if (report.too_far > 0)
+    text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
   return text;
 }
 
@@ -53,8 +56,9 @@ int reduce(const Options& options) {
   const mesh::ReduceReport report = mesh::reduce(session.editor(), how);
   progress.finish();
 
-  const double hausdorff =
-      mesh::hausdorff_distance({session.mesh(), session.positions()}, {session.input().mesh, session.input().positions}) / diagonal;
+  const double hausdorff = mesh::hausdorff_distance({session.mesh(), session.positions()},
+                                                    {session.input().mesh, session.input().positions}) /
+                           diagonal;
   std::map<int, int> valences;
   for (const mesh::VertexId v : session.mesh().vertices()) {
     const int l = session.mesh().valence(v);
@@ -88,16 +92,18 @@ int reduce(const Options& options) {
 }  // namespace
 
 Command reduce_command() {
-  return {"reduce",
-          std::string("  requad-edit reduce IN -o OUT [--until N] [--max-deviation D] [--cost shape|curvature] [--final-smooth N]\n"
-                      "      cancels pairs of a v3 and a v5, the cheapest first, until N irregular vertices or none that can be\n"
-                      "      cancelled are left. D: how far a face's centre may come from IN's surface, over its diagonal.\n"
-                      "      Cost: the change of sum (1 - scaled Jacobian) area, or of |mean curvature| (the paper's)\n") +
-              kEditingHelp,
-          {"requad-edit reduce spot.obj -o spot8.obj", "requad-edit reduce fandisk.obj --feature-angle 40 -o less.obj",
-           "requad-edit reduce bunny.obj --until 40 --max-deviation 0.01 -o less.obj"},
-          editing_options({{}, {"until", "max-deviation", "cost", "final-smooth"}, {}}),
-          reduce};
+  return {
+      "reduce",
+      std::string(
+          "  requad-edit reduce IN -o OUT [--until N] [--max-deviation D] [--cost shape|curvature] [--final-smooth N]\n"
+          "      cancels pairs of a v3 and a v5, the cheapest first, until N irregular vertices or none that can be\n"
+          "      cancelled are left. D: how far a face's centre may come from IN's surface, over its diagonal.\n"
+          "      Cost: the change of sum (1 - scaled Jacobian) area, or of |mean curvature| (the paper's)\n") +
+          kEditingHelp,
+      {"requad-edit reduce spot.obj -o spot8.obj", "requad-edit reduce fandisk.obj --feature-angle 40 -o less.obj",
+       "requad-edit reduce bunny.obj --until 40 --max-deviation 0.01 -o less.obj"},
+      editing_options({{}, {"until", "max-deviation", "cost", "final-smooth"}, {}}),
+      reduce};
 }
 
 }  // namespace requad::edit

@@ -14,7 +14,8 @@ using program::UsageError;
 
 const char* const kEditingHelp =
     "      Vertices are counted from 1 in the order of IN. Features (--feature-angle DEG | --features FILE) and the\n"
-    "      boundary are kept to the last bit. --smooth N: iterations of smoothing round what changed (4), projected on\n"
+    "      boundary are kept to the last bit. --smooth N: iterations of smoothing round what changed (4), projected "
+    "on\n"
     "      IN's surface. Exit code 1: the edit can not be made, and a line says why; then nothing is written.\n";
 
 program::OptionTable editing_options(program::OptionTable own) {

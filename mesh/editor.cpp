@@ -6,7 +6,8 @@ namespace requad::mesh {
 
 Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions)
     : mesh_(mesh), features_(features), positions_(positions) {
-  if (positions_ != nullptr) positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
+  if (positions_ != nullptr)
+    positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
 }
 
 Refusal Editor::why_not(const BasicOperation& operation) const {

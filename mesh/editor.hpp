@@ -1,8 +1,8 @@
 // An editing session on one mesh: every change is checked, recorded and can be taken back.
 //
-// An editor performs basic operations on a mesh, refuses those that would break a feature, keeps the vertices' positions
-// (if it is given any) in step, and remembers each change together with its inverse. All the composite operations of
-// this folder, from the courier's steps to the reduction of a whole mesh, go through one.
+// An editor performs basic operations on a mesh, refuses those that would break a feature, keeps the vertices'
+// positions (if it is given any) in step, and remembers each change together with its inverse. All the composite
+// operations of this folder, from the courier's steps to the reduction of a whole mesh, go through one.
 //
 // Law E1. roll_back(mark) restores the mesh of that mark with all ids and free ids, and the positions of its live
 //         vertices bit by bit.
@@ -35,16 +35,16 @@ struct Placement {
 // One change: a basic operation with the placements that belong to it, or placements alone.
 struct Edit {
   bool operates = false;
-  BasicOperation operation;  // if operates
-  BasicOperation inverse;    // if operates
+  BasicOperation operation;         // if operates
+  BasicOperation inverse;           // if operates
   std::array<VertexId, 4> changed;  // if operates: the vertices whose valence changed, a split's new one among them
   std::vector<Placement> placements;
 };
 
 class Editor {
  public:
-  // The mesh must outlive the editor, and so must features and positions (both optional: null). `positions` has an entry
-  // for every vertex slot and grows with the mesh.
+  // The mesh must outlive the editor, and so must features and positions (both optional: null). `positions` has an
+  // entry for every vertex slot and grows with the mesh.
   explicit Editor(QuadMesh& mesh, const FeatureSet* features = nullptr, Positions* positions = nullptr);
 
   const QuadMesh& mesh() const { return mesh_; }

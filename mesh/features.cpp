@@ -22,7 +22,8 @@ std::vector<std::array<VertexId, 2>> FeatureSet::edges() const {
   std::vector<std::array<VertexId, 2>> result;
   result.reserve(keys.size());
   for (const std::uint64_t k : keys) {
-    result.push_back({VertexId(static_cast<std::int32_t>(k >> 32U)), VertexId(static_cast<std::int32_t>(k & 0xffffffffU))});
+    result.push_back(
+        {VertexId(static_cast<std::int32_t>(k >> 32U)), VertexId(static_cast<std::int32_t>(k & 0xffffffffU))});
   }
   return result;
 }
@@ -33,8 +34,12 @@ Refusal FeatureSet::why_not(const QuadMesh& mesh, const BasicOperation& op) cons
   bool breaks = false;
   switch (op.kind) {
     case BasicOperation::Kind::flip_ccw:
-    case BasicOperation::Kind::flip_cw: breaks = is_edge(v, mesh.target(op.h)); break;
-    case BasicOperation::Kind::collapse: breaks = is_vertex(mesh.origin(QuadMesh::opposite(op.h))); break;
+    case BasicOperation::Kind::flip_cw:
+      breaks = is_edge(v, mesh.target(op.h));
+      break;
+    case BasicOperation::Kind::collapse:
+      breaks = is_vertex(mesh.origin(QuadMesh::opposite(op.h)));
+      break;
     case BasicOperation::Kind::split:
       if (!is_vertex(v)) break;
       for (HalfEdgeId h = op.h; QuadMesh::previous(h) != op.last;) {

@@ -21,7 +21,8 @@ Footprint footprint_since(const Editor& editor, Surroundings& around, std::size_
   const auto always = [](VertexId) { return true; };
   around.measure(m, result.changed, always, always, [rings](VertexId, int d) { return d >= rings; });
   result.near = around.met();
-  const auto outer = std::find_if(result.near.begin(), result.near.end(), [&](VertexId v) { return around.distance(v) >= rings; });
+  const auto outer =
+      std::find_if(result.near.begin(), result.near.end(), [&](VertexId v) { return around.distance(v) >= rings; });
   result.inner = static_cast<std::size_t>(outer - result.near.begin());
   return result;
 }

@@ -21,7 +21,7 @@ struct Candidate {
   double cost;
   VertexId three;
   VertexId five;
-  int measured_at;  // the number of cancellations then
+  int measured_at;                            // the number of cancellations then
   bool operator<(const Candidate& o) const {  // for a heap: the cheapest first, then by ids
     return std::tie(cost, three, five) > std::tie(o.cost, o.three, o.five);
   }
@@ -29,7 +29,8 @@ struct Candidate {
 
 class Reducer {
  public:
-  Reducer(Editor& editor, const ReduceOptions& options) : editor_(editor), m_(editor.mesh()), options_(options), courier_(editor) {
+  Reducer(Editor& editor, const ReduceOptions& options)
+      : editor_(editor), m_(editor.mesh()), options_(options), courier_(editor) {
     smoothing_.iterations = options.smoothing_iterations;
     smoothing_.weights = SmoothingWeights::uniform;
     smoothing_.project_to = options.surface;
@@ -37,7 +38,8 @@ class Reducer {
 
   ReduceReport run() {
     report_.before = count_irregular();
-    report_.parted = part_all(editor_);
+    // Where nothing is to be cancelled, parting would only make more of them.
+    if (!is_minimal()) report_.parted = part_all(editor_);
     values_.resize(static_cast<std::size_t>(m_.vertex_capacity()));
     irregular_.resize(static_cast<std::size_t>(m_.vertex_capacity()));
     for (const VertexId v : m_.vertices()) remember(v);
@@ -84,9 +86,11 @@ class Reducer {
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
     if (is_three(v)) {
-      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_five(x); })) add(v, w);
+      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_five(x); }))
+        add(v, w);
     } else if (is_five(v)) {
-      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_three(x); })) add(w, v);
+      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_three(x); }))
+        add(w, v);
     }
   }
   void add(VertexId three, VertexId five) {
@@ -100,7 +104,8 @@ class Reducer {
   bool make(VertexId three, VertexId five, double& cost) {
     ++report_.measured;
     const std::size_t mark = editor_.mark();
-    const auto helpers = nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
+    const auto helpers =
+        nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
     last_ = cancel_pair(editor_, courier_, three, five, helpers);
     if (last_.refusal != Refusal::none) {
       ++report_.refusals[last_.refusal];
@@ -190,8 +195,8 @@ class Reducer {
   SmoothingOptions smoothing_;
   std::priority_queue<Candidate> queue_;
   ReduceReport report_;
-  Cancellation last_;          // of make()
-  Footprint footprint_;        // of make()
+  Cancellation last_;            // of make()
+  Footprint footprint_;          // of make()
   std::vector<double> values_;   // by vertex slot, of the mesh after the last cancellation
   std::vector<bool> irregular_;  // likewise
 };

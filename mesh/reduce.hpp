@@ -1,13 +1,14 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
-// Again and again the cheapest cancellation of a v3 and a v5 (complementary.hpp) is made, and the neighbourhood smoothed.
-// A candidate is a pair of near vertices of opposite index with the nearest irregular vertices as helpers. Its cost is
-// measured by making it, smoothing included, and taking it back. Costs are kept in a priority queue; after each
-// cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may have
-// changed is measured again when its turn comes.
+// Again and again the cheapest cancellation of a v3 and a v5 (complementary.hpp) is made, and the neighbourhood
+// smoothed. A candidate is a pair of near vertices of opposite index with the nearest irregular vertices as helpers.
+// Its cost is measured by making it, smoothing included, and taking it back. Costs are kept in a priority queue; after
+// each cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may
+// have changed is measured again when its turn comes.
 //
 // Law R1. The mesh is valid, and features and boundary are untouched, after every cancellation.
-// Law R2. Each cancellation lowers the sum of |4 - l(v)| over interior vertices by two or more. So the end comes, at the
+// Law R2. Each cancellation lowers the sum of |4 - l(v)| over interior vertices by two or more. So the end comes, at
+// the
 //         least when all indices have one sign, where discrete Gauss-Bonnet leaves nothing to cancel: eight v3s on a
 //         sphere, 8 (g - 1) v5s at genus g > 1.
 // Law R3. The result depends on the mesh and the options alone.
@@ -33,7 +34,7 @@ enum class ReduceCost {
 };
 
 struct ReduceOptions {
-  int until = 0;                                // stop at so many irregular vertices
+  int until = 0;  // stop at so many irregular vertices
   ReduceCost cost = ReduceCost::shape;
   double max_deviation = -1;                    // of a changed face's centre from the surface, in its units; < 0: none
   const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
@@ -43,13 +44,13 @@ struct ReduceOptions {
 };
 
 struct ReduceReport {
-  int before = 0;     // irregular vertices, interior
+  int before = 0;  // irregular vertices, interior
   int after = 0;
   int parted = 0;     // operations that parted vertices of valence 2 or more than 5
   int cancelled = 0;  // cancellations
   int couriers = 0;
   int operations = 0;
-  int measured = 0;   // cancellations made to measure their cost
+  int measured = 0;                 // cancellations made to measure their cost
   bool minimal = false;             // nothing of opposite index is left
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
   int too_far = 0;                  // of these, cancellations that max_deviation refused

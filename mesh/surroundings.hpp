@@ -1,7 +1,7 @@
 // Breadth-first distances round some vertices of a mesh, as far as they are needed.
 //
-// The working memory (an integer for each vertex) is kept and cleared by what was met, so that a look round costs what it
-// sees and nothing that grows with the mesh.
+// The working memory (an integer for each vertex) is kept and cleared by what was met, so that a look round costs what
+// it sees and nothing that grows with the mesh.
 #pragma once
 
 #include <span>
@@ -13,9 +13,9 @@ namespace requad::mesh {
 
 class Surroundings {
  public:
-  // Measures distances in edges from the sources. enters(v): whether v is measured at all; passes(v): whether the search
-  // goes on from v (sources always do); done(v, d) is asked for each vertex in order of distance before it goes on from
-  // there, and ends the search if true. Forgets what was measured before.
+  // Measures distances in edges from the sources. enters(v): whether v is measured at all; passes(v): whether the
+  // search goes on from v (sources always do); done(v, d) is asked for each vertex in order of distance before it goes
+  // on from there, and ends the search if true. Forgets what was measured before.
   template <class Enters, class Passes, class Done>
   void measure(const QuadMesh& mesh, std::span<const VertexId> sources, Enters&& enters, Passes&& passes, Done&& done) {
     for (const VertexId v : met_) distance_[v.slot()] = -1;

@@ -132,10 +132,12 @@ TEST_CASE("Law C1: a step changes the valences of both places of the courier and
 
 TEST_CASE("Couriers take the way of the pair moves where nothing is in the way", "[courier]") {
   // Every configuration that pair moves reach in one step is reached by couriers too, and couriers reach no other.
-  const auto found = enumerate::explore(theory::kHexagon, {enumerate::glue_region(theory::kHexagon, {{1, 1, theory::IntegerVector::Constant(6, 2)}, 1})});
+  const auto found = enumerate::explore(
+      theory::kHexagon, {enumerate::glue_region(theory::kHexagon, {{1, 1, theory::IntegerVector::Constant(6, 2)}, 1})});
   std::map<int, std::set<std::string>> by_moves, by_couriers;
   for (const auto& move : found.moves) {
-    if (move.to >= 0 && found.holds_pair(move.to) && found.holds_pair(move.from)) by_moves[move.from].insert(found.nodes[static_cast<std::size_t>(move.to)].signature);
+    if (move.to >= 0 && found.holds_pair(move.to) && found.holds_pair(move.from))
+      by_moves[move.from].insert(found.nodes[static_cast<std::size_t>(move.to)].signature);
   }
   for (std::size_t i = 0; i < found.nodes.size(); ++i) {
     if (!found.holds_pair(static_cast<int>(i))) continue;
@@ -200,7 +202,8 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
 TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
   const auto irregular_of = [](const QuadMesh& m) { return irregular_vertices(m); };
   for (const auto& [type, merged] : {std::pair{theory::kDigon, 2}, std::pair{theory::kHexagon, 6}}) {
-    for (const theory::Configuration& c : theory::parameter_set(type, theory::IntegerVector::Constant(type.side_count(), 7 + merged % 4))) {
+    for (const theory::Configuration& c :
+         theory::parameter_set(type, theory::IntegerVector::Constant(type.side_count(), 7 + merged % 4))) {
       const Region region = enumerate::glue_region(type, c);
       QuadMesh m = region.mesh;
       Editor editor(m);

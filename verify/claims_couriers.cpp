@@ -1,5 +1,6 @@
 // Claims about couriers that go their own way: round a feature (P4), and to a third irregular vertex (N3).
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "mesh/complementary.hpp"
@@ -27,6 +28,10 @@ std::string signature_of(const Region& before, const QuadMesh& after) {
   return mesh::signature(after, after.out(before.mesh.origin(before.root)));
 }
 
+bool holds_edge(const QuadMesh& m, const std::array<VertexId, 2>& edge) {
+  return m.is_live(edge[0]) && m.is_live(edge[1]) && m.adjacent(edge[0], edge[1]);
+}
+
 // An edge that a move removes, as far from the pair as there is one: where a feature would be in its way.
 std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const FoundMove& move) {
   const QuadMesh& m = node.region.mesh;
@@ -37,7 +42,7 @@ std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const
   for (const HalfEdgeId h : m.half_edges()) {
     const VertexId a = m.origin(h), b = m.target(h);
     if (b < a || m.is_boundary(h)) continue;
-    if (after.is_live(a) && after.is_live(b) && after.adjacent(a, b)) continue;
+    if (holds_edge(after, {a, b})) continue;
     int d = m.vertex_capacity();
     for (const VertexId x : {a, b}) {
       for (const VertexId v : {move.move.frame.v1, move.move.frame.v2}) d = std::min(d, mesh::graph_distance(m, x, v));
@@ -56,8 +61,9 @@ std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
 
 }  // namespace
 
-// Each move is made again with a feature on an edge that the direct way removes. The direct way is then refused; couriers
-// sent in all directions go round or not at all, keep the feature, and make no other configurations than moves make.
+// Each move is made again with a feature on an edge that the direct way removes. The direct way is then refused;
+// couriers sent in all directions go round or not at all, keep the feature, and make no other configurations than moves
+// make.
 Judgement judge_detour(const Study& s) {
   if (s.found.nodes.empty() || s.region.sides.sum() > kLargestDetour) return not_applicable();
   Judgement j;
@@ -75,7 +81,7 @@ Judgement judge_detour(const Study& s) {
     QuadMesh m = node.region.mesh;
     mesh::Editor editor(m, &features);
     if (mesh::move_pair(editor, move.move).refusal == Refusal::none) {
-      if (m.adjacent((*edge)[0], (*edge)[1])) continue;
+      if (holds_edge(m, *edge)) continue;
       j.violation = at_move(s, move, "the direct way removes a feature edge");
       return j;
     }
@@ -86,23 +92,28 @@ Judgement judge_detour(const Study& s) {
       for (const HalfEdgeId start : departures(m, p)) {
         if (courier.carry(start, std::array{q}).refusal != Refusal::none) continue;
         const std::string result = signature_of(node.region, m);
-        const bool kept = m.adjacent((*edge)[0], (*edge)[1]);
+        const bool kept = holds_edge(m, *edge);
         arrived = arrived || result == s.found.nodes[static_cast<std::size_t>(move.to)].signature;
         editor.roll_back();
         if (!kept) j.violation = at_move(s, move, "a courier sent round the feature removed it");
-        if (known.count(result) == 0) j.violation = at_move(s, move, "a courier sent round a feature made a configuration that no move reaches");
+        if (known.count(result) == 0)
+          j.violation = at_move(s, move, "a courier sent round a feature made a configuration that no move reaches");
         if (j.violation) return j;
       }
     }
     if (arrived) ++detours;
   }
-  if (j.checks > 0) j.row = {{"sides", side_list(s)}, {"pair", s.region.type.name()}, {"blocked", j.checks}, {"made_round_the_feature", detours}};
+  if (j.checks > 0)
+    j.row = {{"sides", side_list(s)},
+             {"pair", s.region.type.name()},
+             {"blocked", j.checks},
+             {"made_round_the_feature", detours}};
   j.applies = detours > 0;
   return j;
 }
 
-// Every filling with three irregular vertices: is a v3 cancelled with a v5 by couriers that the third one takes, are two
-// equal ones merged by pair moves; against what the search finds with the valences that would be left.
+// Every filling with three irregular vertices: is a v3 cancelled with a v5 by couriers that the third one takes, are
+// two equal ones merged by pair moves; against what the search finds with the valences that would be left.
 Judgement judge_three_vertices(const Study& s) {
   if (s.region.family != Family::three_vertices || s.fillings.empty()) return not_applicable();
   Judgement j;
@@ -140,7 +151,8 @@ Judgement judge_three_vertices(const Study& s) {
         if (done) {
           const std::string signature = signature_of(region, m);
           if (!mesh::validate(m).empty()) return wrong(region, "the operation leaves an invalid mesh");
-          if (!found(la == lb ? s.searched_merged : s.searched, signature)) return wrong(region, "the operation makes a filling that the search does not know");
+          if (!found(la == lb ? s.searched_merged : s.searched, signature))
+            return wrong(region, "the operation makes a filling that the search does not know");
         }
         editor.roll_back();
         if (!(m == region.mesh)) return wrong(region, "the operation was not taken back");
@@ -153,8 +165,14 @@ Judgement judge_three_vertices(const Study& s) {
                                    : "the search finds a filling with one vertex, but no pair was cancelled");
     }
   }
-  j.row = {{"sides", side_list(s)}, {"irregular", s.region.irregular}, {"fillings", s.fillings.size()}, {"with_one_vertex", s.searched->size()},
-           {"cancelled", cancelled}, {"couriers", couriers}, {"with_two_vertices", s.searched_merged->size()}, {"merged", merged}};
+  j.row = {{"sides", side_list(s)},
+           {"irregular", s.region.irregular},
+           {"fillings", s.fillings.size()},
+           {"with_one_vertex", s.searched->size()},
+           {"cancelled", cancelled},
+           {"couriers", couriers},
+           {"with_two_vertices", s.searched_merged->size()},
+           {"merged", merged}};
   return j;
 }
 
