@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace requad::mesh {
@@ -41,10 +40,6 @@ void update_helpers(const QuadMesh& m, const Transport& journey, std::vector<Ver
     if (m.face_valence(v) != 4 && !contains(helpers, v)) helpers.push_back(v);
   }
 }
-
-}  // namespace
-
-namespace {
 
 // In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.
 struct Manner {
