@@ -129,14 +129,17 @@ bool Filler::may_cut(int a, int b, Sums between) const {
 // --- the moves from a partial mesh -----------------------------------------------------------------------------------
 
 // The edge v -> w, as v. A corner w (one quad missing) leaves one vertex of its quad to be chosen, two corners none. So
-// two corners where the hole changed last, or the next corner; a pair of corners further off can wait.
+// two corners where the hole changed last, or the nearest corner; a pair of corners further off can wait.
 int Filler::choose_edge(const Hole& hole) const {
   if (hole.sums.corners() == 0) return hole.node;
   int w = next(hole.node);
   for (int i = 0; i < kNear; ++i, w = previous(w)) {
     if (node(w).need == 1 && node(previous(w)).need == 1) return previous(w);
   }
-  for (w = hole.node; node(w).need != 1;) w = next(w);
+  int back = previous(hole.node);
+  for (w = hole.node; node(w).need != 1; w = next(w), back = previous(back)) {
+    if (node(back).need == 1) return previous(back);
+  }
   return previous(w);
 }
 
