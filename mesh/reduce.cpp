@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/footprint.hpp"
+#include "mesh/untangling.hpp"
 
 namespace requad::mesh {
 
@@ -60,6 +61,7 @@ class Reducer {
     }
     smoothing_.iterations = options_.final_iterations;
     smooth_edit(editor_, m_.vertices(), smoothing_);
+    if (options_.final_iterations > 0) untangle(editor_, smoothing_);
     report_.minimal = editor_.sectors().is_minimal();
     return report_;
   }
