@@ -97,6 +97,10 @@ void check_choice(const Region& region, const AtomicChoice& choice, Tally& tally
   if (choice.refusal != Refusal::none) {
     REQUIRE(m == before);
     REQUIRE(editor.mark() == 0);
+    // A step of a pair that is none of its kinds is told of as a move.
+    const bool no_kind = choice.refusal == Refusal::touches_boundary || choice.refusal == Refusal::irregular_in_the_way;
+    const bool of_pair = rule(op.name.kind).valences[0] == 3 && rule(op.name.kind).valences[1] == 5;
+    if (no_kind && of_pair) REQUIRE(op.name.kind == AtomicKind::move_35);
     ++tally.refused[choice.refusal];
     return;
   }
