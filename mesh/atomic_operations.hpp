@@ -7,8 +7,8 @@
 //
 //   name           u v u' v'  becomes   ways                   inverse        in the paper
 //   move-35        3 5 4 4    4 4 3 5   collapse flip split    move-35        Figure 3: six directions
-//   move-v3        3 4 4 4    4 3 3 5   collapse flip          remove-35-v3   Figure 4a-c: u's v3 moves to v
-//   move-v5        4 5 4 4    5 4 3 5   flip split             remove-35-v5   Figure 4d-f: v's v5 moves to u
+//   move-v3        3 4 4 4    4 3 3 5   collapse flip          remove-35-v3   Figure 4a-c: the v3 at u moves to v
+//   move-v5        4 5 4 4    5 4 3 5   flip split             remove-35-v5   Figure 4d-f: the v5 at v moves to u
 //   remove-35-v3   3 5 4 3    4 4 3 4   flip split             move-v3        Figure 4, read in reverse
 //   remove-35-v5   3 5 5 4    4 4 4 5   collapse flip          move-v5        Figure 4, read in reverse
 //   generate-3355  4 4 4 4    5 3 3 5   flip                   remove-3355    3-3-5-5 generation
@@ -140,8 +140,8 @@ struct AtomicChoice {
 //   a v5   move-v5 towards each neighbour, 2 flips and 2 splits each
 //   a v4   generate-3355 by each flip that changes l(V), 16
 //   V is one of an adjacent 3-5 pair: the pair's six steps, each as move-35 or as the removal that it is
-//   any    raise for each face, lower for each pair of edges with others between them on both sides; V keeps the part
-//          of lower valence
+//   any    raise for each face (both of a v2 make the same mesh), lower for each pair of edges with others between them
+//          on both sides; V keeps the part of lower valence
 // A boundary vertex has none. If a feature keeps one of two vertices from being removed, the other one goes.
 std::vector<AtomicChoice> atomic_operations(const Editor& editor, VertexId v);
 // Those that lie along the edge V -> W or, as pairs and generate-3355 may, along W -> V; raise by the faces on both
