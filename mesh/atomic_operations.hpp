@@ -35,7 +35,8 @@
 // Law A5. The inverse that perform() reports, performed next, restores the mesh: same ids, same free ids next.
 // Law A6. An operation changes the valences that its table says and no other; no valence on the boundary, no feature.
 //
-// Costs: O(valence) for each operation; a list is as long as the vertex has edges, times valence for `lower`.
+// Costs: those of the basic operation, O(1) in the size of the mesh. The list of a vertex of valence l has O(l) entries
+// and l (l - 3) / 2 of `lower`.
 #pragma once
 
 #include <array>
