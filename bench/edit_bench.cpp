@@ -139,7 +139,7 @@ BENCHMARK(list_pair_moves)->Apply(longer_paths)->Complexity();
 void courier_journey(benchmark::State& state, bool new_courier) {
   Scene scene(digon(state.range(0), state.range(1)));
   const auto pair = mesh::irregular_vertices(scene.mesh);
-  const HalfEdgeId start = scene.mesh.out(pair[0]);
+  const mesh::CourierPlace start{scene.mesh.out(pair[0])};
   const std::array<VertexId, 1> targets{pair[1]};
   mesh::Courier kept(scene.editor);
   mesh::Transport journey;

@@ -140,7 +140,7 @@ Resolved resolve(const Editor& editor, const AtomicOperation& op) {
 
   Resolved r;
   r.sent = turned(m, kind, {op.along, step});
-  r.planned = plan(m, r.sent.courier, r.sent.step, kind == AtomicKind::lower ? turn : kStraight);
+  r.planned = plan(m, CourierPlace{r.sent.courier}, r.sent.step, kind == AtomicKind::lower ? turn : kStraight);
   const bool renames = (step.way == Way::collapse && kind != AtomicKind::raise) != op.swapped;
   if (renames) r.planned = renamed(m, r.planned);
   if (step.way == Way::split) r.planned.operation.corner = op.corner;
@@ -212,7 +212,7 @@ AtomicReport perform(Editor& editor, const AtomicOperation& op) {
   } else {
     // The courier looks back on the other hand to where it came from.
     const Sent sent =
-        turned(m, back.name.kind, {r.planned.courier(m), {inverse(r.sent.step.way), other(r.sent.step.hand)}});
+        turned(m, back.name.kind, {r.planned.next.forth(m), {inverse(r.sent.step.way), other(r.sent.step.hand)}});
     back.along = sent.courier;
     back.name.step = sent.step;
   }

@@ -33,7 +33,8 @@
 // mesh only by the place that they are said of, and never change.
 //
 // Law A5. The inverse that perform() reports, performed next, restores the mesh: same ids, same free ids next.
-// Law A6. An operation changes the valences that its table says and no other; no valence on the boundary, no feature.
+// Law A6. An operation changes the valences that its table says and no other, none of them on the boundary. It keeps
+//         every feature edge; the valence of a feature's vertex may change.
 //
 // Costs: those of the basic operation, O(1) in the size of the mesh. The list of a vertex of valence l has O(l) entries
 // and l (l - 3) / 2 of `lower`.

@@ -122,7 +122,7 @@ int make(Session& session, const Place& place, const std::string& wanted) {
   if (!name) throw UsageError("atomic: '" + wanted + "' is no atomic operation; expected such as 'move-v3 flip left'");
   const AtomicChoice choice = chosen(session, place, *name);
   if (choice.refusal != Refusal::none)
-    return session.report_refusal(ends(session, choice.operation.along) + ", " + wanted, choice.refusal);
+    return session.refused(ends(session, choice.operation.along) + ", " + wanted, choice.refusal);
   Told told = tell(session, choice);
   const std::size_t mark = session.editor().mark();
   mesh::perform(session.editor(), choice.operation);
@@ -133,8 +133,7 @@ int make(Session& session, const Place& place, const std::string& wanted) {
 int atomic(const Options& options) {
   Session session(options, "atomic");
   const Place place = place_of(session);
-  if (session.mesh().is_boundary(place.v))
-    return session.report_refusal(session.describe(place.v), Refusal::touches_boundary);
+  if (session.mesh().is_boundary(place.v)) return session.refused(session.describe(place.v), Refusal::touches_boundary);
   return options.has("make") ? make(session, place, options.text("make")) : list(session, place);
 }
 

@@ -14,14 +14,9 @@
 
 using namespace requad;
 using namespace requad::mesh;
+using requad::tests::irregular_valences;
 
 namespace {
-
-std::map<int, int> irregular_valences(const QuadMesh& m) {
-  std::map<int, int> result;
-  for (const VertexId v : irregular_vertices(m)) ++result[m.valence(v)];
-  return result;
-}
 
 ReduceOptions without_smoothing() {
   ReduceOptions how;
