@@ -14,24 +14,10 @@
 
 using namespace requad;
 using namespace requad::mesh;
+using requad::tests::random_operation;
 using requad::tests::sides;
 
 namespace {
-
-using Kind = BasicOperation::Kind;
-
-BasicOperation random_operation(const QuadMesh& m, std::mt19937& random) {
-  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  const HalfEdgeId h(pick(m.half_edge_capacity()));
-  const auto kind = static_cast<Kind>(pick(4));
-  BasicOperation op{kind, h, {}, 0};
-  if (kind == Kind::split && m.is_live(h)) {
-    std::vector<HalfEdgeId> in;
-    m.for_each_out(m.origin(h), [&](HalfEdgeId g) { in.push_back(QuadMesh::previous(g)); });
-    op.last = in[static_cast<std::size_t>(pick(static_cast<int>(in.size())))];
-  }
-  return op;
-}
 
 Positions random_positions(const QuadMesh& m, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -99,6 +85,19 @@ TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll 
     CHECK(m == start.mesh);
     for (const VertexId v : m.vertices()) CHECK(positions[v.slot()] == before[v.slot()]);
   }
+}
+
+TEST_CASE("Law E1: a move from 0 to -0 is a move, and is taken back", "[editor]") {
+  QuadMesh m = tests::torus(3, 3);
+  Positions positions(9, Eigen::Vector3d::Zero());
+  Editor editor(m, nullptr, &positions);
+  const std::array moved{VertexId(4)};
+  editor.rearrange(moved, [](Positions& p) { p[4].y() = -0.0; });
+  REQUIRE(editor.edits().size() == 1);
+  editor.rearrange(moved, [](Positions&) {});
+  CHECK(editor.edits().size() == 1);
+  editor.roll_back();
+  CHECK(same_bits(positions[4], Eigen::Vector3d::Zero()));
 }
 
 TEST_CASE("Law C1: a step changes the valences of both places of the courier and no other", "[courier]") {

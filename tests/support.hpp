@@ -33,6 +33,9 @@ struct Relabelled {
 Relabelled relabel(const mesh::QuadMesh& mesh, std::mt19937& random);
 mesh::BasicOperation renamed(const mesh::BasicOperation& operation, const Relabelled& by);
 
+// One that may be illegal, or name an element that was removed; all kinds are alike likely.
+mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& random);
+
 // Face lists over the vertex ids of a mesh without gaps, and the three operations on them as their definitions say, with
 // no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
 using FaceList = std::vector<std::array<int, 4>>;
