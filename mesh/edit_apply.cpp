@@ -46,7 +46,9 @@ Command apply_command() {
       "i + 1\n"
       "      of IN, null if it was removed; faces likewise; new_vertices and new_faces are the numbers in OUT of "
       "what IN\n"
-      "      does not have. All are counted from 1 in the order of the files. (Scripts count from 0.)\n"
+      "      does not have. All are counted from 1 in the order of the files, or with --subdivide as `subdivide` "
+      "writes\n"
+      "      them. (Scripts count from 0.)\n"
       "      Exit code 1: an edit would change a feature, and a line says which; then nothing is written.\n",
       {"requad-edit reduce spot.obj -o spot8.obj --script spot8.txt --map map.json",
        "requad-edit apply spot.obj spot8.txt -o again.obj", "requad-edit apply spot8.obj spot8.txt --undo -o back.obj"},

@@ -3,15 +3,17 @@
 // A script belongs to one mesh. It says what was done to it, where each vertex went, and what undoes each line, so that
 // the mesh and the script give the result, and the result and the script give the mesh.
 //
-//   requad-script 1                                        the format and its version
-//   mesh 2930 2928 0123456789abcdef                        the mesh: vertices, faces, fingerprint
-//   flip_ccw H                                             the operations of basic_operations.hpp; a flip's undo is
-//   known flip_cw H collapse H removes V X Y Z undo split FIRST LAST CORNER split FIRST LAST CORNER makes V X Y Z undo
-//   collapse H place V X Y Z from X Y Z                               a vertex moves end 2931 2929 0123456789abcdef the
-//   result, in the same terms; nothing follows
+//   requad-script 1                       the format and its version
+//   mesh 2930 2928 0123456789abcdef       the mesh: vertices, faces, fingerprint
+//   flip_ccw H                            the operations of basic_operations.hpp (what undoes a flip is known)
+//   flip_cw H
+//   collapse H removes V X Y Z undo split FIRST LAST CORNER
+//   split FIRST LAST CORNER makes V X Y Z undo collapse H
+//   place V X Y Z from X Y Z              a vertex moves
+//   end 2931 2929 0123456789abcdef        the result, in the same terms; nothing follows
 //
-// Blank lines and what follows a # do not count. Vertices and faces are counted from 0 in the order of the file (less
-// the vertices that no face has); half-edge H leaves corner H mod 4 of face H div 4. What is made gets the number that
+// Blank lines and what follows a # do not count. Vertices and faces are counted from 0 in the order of the file, less
+// the vertices that no face has; half-edge H leaves corner H mod 4 of face H div 4. What is made gets the number that
 // was freed last, or else the next new one. Coordinates are finite and have the digits that it takes to read back the
 // same bits.
 //

@@ -323,6 +323,11 @@ TEST_CASE("Law U4: scripts that are refused, and where", "[script]") {
       complaint(surface, replaced(good, lines[2].substr(0, lines[2].find(" makes")), "split 0 1 2"));
   CHECK(no_fan == "3: the two edges do not bound a sector of one vertex");
 
+  const BasicOperation undo = w.editor.edits()[2].inverse;
+  BasicOperation wrong = undo;
+  std::swap(wrong.h, wrong.last);
+  CHECK(after(to_string(undo), to_string(wrong)) == "6: the operation is undone by " + to_string(undo));
+
   // Cut short at any place, from the last line's end on.
   for (std::size_t length = 0; length + 1 < good.size(); ++length) {
     INFO("the first " << length << " characters");
@@ -355,6 +360,10 @@ TEST_CASE("Law U4: scripts that are refused, and where", "[script]") {
   no_result = moved;
   CHECK_THROWS_WITH(restore_ids(parse_script(good, "script"), no_result), "script:" + as_many);
   CHECK(no_result.mesh == surface.mesh);
+  // Without the ids that it had, the result is not what the inverse goes on from.
+  Workshop compact(made);
+  CHECK_THROWS_AS(replay(compact.editor, inverse(parse_script(good, "script"))), MeshError);
+  CHECK(compact.m == made.mesh);
 
   // A face collapses twice, and a split makes it again: the numbers agree, the mesh does not.
   Script twice = parse_script(good, "script");
@@ -362,6 +371,28 @@ TEST_CASE("Law U4: scripts that are refused, and where", "[script]") {
   Surface result = made;
   twice.changes.push_back(twice.changes[3]);
   CHECK_THROWS_AS(restore_ids(twice, result), MeshError);
+}
+
+TEST_CASE("Law U4: free ids in another order are another mesh to a script", "[script]") {
+  Workshop w(crooked_torus(4, 4));
+  for (const int h : {4 * 5 + 1, 4 * 2})
+    REQUIRE(w.editor.run({BasicOperation::Kind::collapse, HalfEdgeId(h), {}, 0}).refusal == Refusal::none);
+  const VertexId first = w.editor.edits()[0].removed_vertex(), second = w.editor.edits()[1].removed_vertex();
+  const QuadMesh compact = QuadMesh::from_faces(14, w.m.compact_faces());
+  for (const bool in_order : {true, false}) {
+    Surface result = w.input;
+    result.mesh = compact.with_free_ids({FaceId(5), FaceId(2)}, {in_order ? first : second, in_order ? second : first});
+    result.positions = w.positions;
+    Workshop back(result);
+    if (in_order) {
+      CHECK(replay(back.editor, inverse(w.record())).refusal == Refusal::none);
+      CHECK(back.m == w.input.mesh);
+    } else {
+      CHECK_THROWS_WITH(replay(back.editor, inverse(w.record())),
+                        ":0: the split does not make vertex " + std::to_string(second.index()));
+      CHECK(back.m == result.mesh);
+    }
+  }
 }
 
 TEST_CASE("Law U4: a broken script changes nothing, however it is broken", "[script]") {
@@ -416,6 +447,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
   const Surface surface = read_back(obj(region.mesh, positions));
   Workshop w(surface);
   const VertexId a(12), b(13);
+  w.editor.place(VertexId(6), {1, 1, 0.25});
   w.editor.place(b, {2, 3, 0.5});
   const HalfEdgeId h = surface.mesh.find_half_edge(a, b);
   REQUIRE(w.editor.run({BasicOperation::Kind::flip_cw, h, {}, 0}).refusal == Refusal::none);
@@ -427,8 +459,10 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
     const Replay result = replay(again.editor, script);
     // The flip leaves a's other edges; that b is on a feature keeps it where it is.
     CHECK(result.refusal == (edge ? Refusal::none : Refusal::moves_feature));
-    CHECK(result.line == (edge ? 0 : 3));
+    CHECK(result.line == (edge ? 0 : 4));
     CHECK((again.m == surface.mesh) == !edge);
+    CHECK(same_positions(surface.mesh, again.positions, surface.positions) == !edge);
+    CHECK(again.editor.edits().empty() == !edge);
   }
   Workshop flip_only(surface);
   flip_only.editor.run({BasicOperation::Kind::flip_cw, h, {}, 0});
@@ -440,7 +474,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
   CHECK(again.m == surface.mesh);
 
   const std::string text = to_string(script);
-  CHECK(complaint(surface, replaced(text, "place 13", "place 0")) == "3: vertex 0 lies on the boundary");
+  CHECK(complaint(surface, replaced(text, "place 13", "place 0")) == "4: vertex 0 lies on the boundary");
 }
 
 TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
@@ -491,10 +525,13 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   const json of_shifted = json::parse(slurp(scratch() / "map.json"));
   check_map(of_shifted["vertices"], of_shifted["new_vertices"], expected.vertices, 1);
 
-  CHECK(call("edit", "apply made.obj edits.txt --undo -o back.obj").code == 0);
+  CHECK(call("edit", "apply made.obj edits.txt --undo -o back.obj --map map.json").code == 0);
+  json undone = json::parse(slurp(scratch() / "map.json"));
   CHECK(slurp(scratch() / "back.obj") == in);
   spill(scratch() / "shifted.obj", shifted(out));
-  CHECK(call("edit", "apply shifted.obj edits.txt --undo -o -").out == in);
+  CHECK(call("edit", "apply shifted.obj edits.txt --undo -o - --map map.json").out == in);
+  undone["vertices"].insert(undone["vertices"].begin(), json());
+  CHECK(json::parse(slurp(scratch() / "map.json")) == undone);
 
   // Bad input: exit 2, one line, nothing written.
   remove_all();
