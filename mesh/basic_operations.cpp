@@ -40,6 +40,7 @@ std::string_view explain(Refusal refusal) {
     case Refusal::no_such_step: return "the pair has no configuration in this direction";
     case Refusal::irregular_in_the_way: return "another irregular vertex is in the way";
     case Refusal::breaks_feature: return "a feature edge would go";
+    case Refusal::moves_feature: return "a vertex on a feature would move";
     case Refusal::no_way: return "no path leads the 3-5 pair to a vertex that can take it";
     case Refusal::wrong_valences: return "the vertices do not have the valences that this needs";
     case Refusal::odd_distance: return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";

@@ -40,6 +40,7 @@ enum class Refusal {
   no_such_step,        // the pair has no configuration in this direction (pair moves)
   irregular_in_the_way,// the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
   breaks_feature,      // a feature edge would go (features.hpp)
+  moves_feature,       // a vertex on a feature would move (script.hpp)
   no_way,              // no path leads the courier to a vertex that can take it (courier.hpp)
   // What no sequence of operations can do (complementary.hpp):
   wrong_valences,      // the vertices are not of the valences that this is about

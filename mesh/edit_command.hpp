@@ -31,6 +31,7 @@ Command merge_command();
 Command align_command();
 Command part_command();
 Command reduce_command();
+Command apply_command();
 
 // The surface in the one file that the command line names, subdivided if --subdivide says so.
 mesh::Surface read_input(const program::Options& options, const std::string& command);

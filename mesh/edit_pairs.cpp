@@ -238,10 +238,12 @@ std::string usage(const std::string& head, const std::string& what) {
 
 Command moves_command() {
   return {"moves",
-          usage("moves IN A B",
-                "the moves that the pair A, B can make, each with its effect, before any is made (section 6)"),
+          std::string(
+              "  requad-edit moves IN A B\n"
+              "      the moves that the pair A, B can make, each with its effect, before any is made (section 6)\n") +
+              kLookingHelp,
           {"requad-edit moves spot.obj 12 40"},
-          editing_options(),
+          looking_options(),
           moves};
 }
 Command move_command() {

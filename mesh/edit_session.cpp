@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "mesh/diagnosis.hpp"
+#include "mesh/element_map.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/script.hpp"
 
 namespace requad::edit {
 
@@ -12,23 +14,64 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 
-const char* const kEditingHelp =
+const std::string kLookingHelp =
     "      Vertices are counted from 1 in the order of IN. Features (--feature-angle DEG | --features FILE) and the\n"
-    "      boundary are kept to the last bit. --smooth N: iterations of smoothing round what changed (4), projected "
-    "on\n"
-    "      IN's surface. Exit code 1: the edit can not be made, and a line says why; then nothing is written.\n";
+    "      boundary are kept to the last bit.\n";
+const std::string kEditingHelp =
+    kLookingHelp +
+    "      --smooth N: iterations of smoothing round what changed (4), projected on IN's surface. --script FILE: the\n"
+    "      edits as text, for `apply`. --map FILE: where each vertex and face is now (see `apply --help`).\n"
+    "      Exit code 1: the edit can not be made, and a line says why; then nothing is written.\n";
+
+program::OptionTable looking_options() { return {{"subdivide"}, {"feature-angle", "features"}, {}}; }
 
 program::OptionTable editing_options(program::OptionTable own) {
   own.flags.emplace_back("subdivide");
-  for (const char* name : {"output,o", "feature-angle", "features", "smooth"}) own.values.emplace_back(name);
+  for (const char* name : {"output,o", "feature-angle", "features", "smooth", "script", "map"})
+    own.values.emplace_back(name);
   return own;
 }
 
-Session::Session(const Options& options, std::string command)
-    : options_(options), command_(std::move(command)), editor_(mesh_, &features_, &positions_, &plan_) {
-  if (options.words().empty()) throw UsageError(command_ + ": expected a mesh file; see --help");
+namespace {
+
+mesh::Surface read_first(const Options& options, const std::string& command) {
+  if (options.words().empty()) throw UsageError(command + ": expected a mesh file; see --help");
+  options.one_on_stdout({"json", "output", "script", "map"});
   wants_features(options);
-  input_ = mesh::read_surface(options.words().front(), options.has("subdivide"));
+  return mesh::read_surface(options.words().front(), options.has("subdivide"));
+}
+
+// In the numbers of the files, from 1.
+std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
+  const mesh::ElementMap map = mesh::element_map(input.mesh, editor);
+  const auto number = [](int place) { return place < 0 ? ordered_json() : ordered_json(place + 1); };
+  const auto made = [&number](const mesh::PlaceMap& of) {
+    ordered_json list = ordered_json::array();
+    for (const int place : of.made) list.push_back(number(place));
+    return list;
+  };
+  ordered_json vertices = ordered_json::array(), faces = ordered_json::array();
+  for (const int v : input.from_file)
+    vertices.push_back(v < 0 ? ordered_json() : number(map.vertices.now[static_cast<std::size_t>(v)]));
+  for (const mesh::FaceId f : input.mesh.faces()) faces.push_back(number(map.faces.now[f.slot()]));
+  return ordered_json{{"vertices", vertices},
+                      {"faces", faces},
+                      {"new_vertices", made(map.vertices)},
+                      {"new_faces", made(map.faces)}}
+             .dump() +
+         "\n";
+}
+
+}  // namespace
+
+Session::Session(const Options& options, const std::string& command)
+    : Session(options, command, read_first(options, command)) {}
+
+Session::Session(const Options& options, std::string command, mesh::Surface input)
+    : options_(options),
+      command_(std::move(command)),
+      input_(std::move(input)),
+      editor_(mesh_, &features_, &positions_, &plan_) {
   mesh_ = input_.mesh;
   positions_ = input_.positions;
   for (const auto& [a, b] : read_features(options, input_)) features_.insert(a, b);
@@ -73,6 +116,11 @@ void Session::smooth_since(std::size_t mark) {
 
 int Session::done(ordered_json summary, const std::string& text) {
   const std::string output = output_path(options_, command_);
+  if (options_.has("script")) {
+    program::write_text(options_.text("script"),
+                        mesh::to_string(mesh::record_script(input_.mesh, input_.positions, editor_)));
+  }
+  if (options_.has("map")) program::write_text(options_.text("map"), map_text(input_, editor_));
   mesh::save_obj(output, mesh_, positions_);
   const auto sizes = [](const mesh::Diagnosis& d) {
     return ordered_json{{"vertices", d.vertices},
@@ -83,7 +131,8 @@ int Session::done(ordered_json summary, const std::string& text) {
   };
   summary["before"] = sizes(mesh::diagnose(input_.mesh, input_.positions));
   summary["after"] = sizes(mesh::diagnose(mesh_, positions_));
-  program::finish(options_, summary.dump(), text);
+  const bool taken = options_.on_stdout("script") || options_.on_stdout("map");
+  program::finish(options_, summary.dump(), taken ? "" : text);
   return program::kDone;
 }
 

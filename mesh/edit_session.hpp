@@ -13,15 +13,19 @@
 
 namespace requad::edit {
 
-// The options of every editing command, beside its own.
+// The options of every command that edits, beside its own, and the lines of help on them.
 program::OptionTable editing_options(program::OptionTable own = {});
-// The lines of help on them.
-extern const char* const kEditingHelp;
+extern const std::string kEditingHelp;
+// Those of a command that only looks.
+program::OptionTable looking_options();
+extern const std::string kLookingHelp;
 
 class Session {
  public:
   // Reads the surface that the first word names. Throws like read_input().
-  Session(const program::Options& options, std::string command);
+  Session(const program::Options& options, const std::string& command);
+  // Takes the surface; reads the features.
+  Session(const program::Options& options, std::string command, mesh::Surface input);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -44,7 +48,8 @@ class Session {
   // Smooths round what edits changed since the mark, unless --smooth 0 says not to.
   void smooth_since(std::size_t mark);
 
-  // The end of an edit that was made: writes -o and --script, reports. `summary` gets the sizes before and after.
+  // The end of an edit that was made: writes --script, --map and at last -o, so that no result is without what was
+  // asked for beside it; reports. `summary` gets the sizes before and after.
   int done(nlohmann::ordered_json summary, const std::string& text);
   // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written.
   int refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles = {});

@@ -10,6 +10,7 @@
 #include "mesh/diagnosis.hpp"
 #include "mesh/edit_command.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/script.hpp"
 #include "mesh/smoothing.hpp"
 
 namespace requad::edit {
@@ -23,7 +24,7 @@ using program::UsageError;
 
 int smooth(const Options& options) {
   const std::string output = output_path(options, "smooth");
-  options.one_on_stdout({"json", "output"});
+  options.one_on_stdout({"json", "output", "script"});
   wants_features(options);
   mesh::SmoothingOptions how;
   const auto iterations = static_cast<int>(options.integer("iterations", 10, 0, 1'000'000));
@@ -47,14 +48,22 @@ int smooth(const Options& options) {
   if (options.has("project")) how.project_to = &original.emplace(surface.mesh, surface.positions);
   if (options.has("pull")) how.pull_to = &original_vertices.emplace(surface.positions);
 
+  mesh::QuadMesh same = surface.mesh;
   mesh::Positions positions = surface.positions;
+  mesh::Editor editor(same, nullptr, &positions);
   const std::vector<mesh::VertexId> vertices = surface.mesh.vertices();
   program::Progress progress("iterations", iterations, options.quiet());
-  for (int i = 0; i < iterations; ++i) {
-    mesh::smooth(surface.mesh, positions, vertices, how);
-    progress.advance();
-  }
+  editor.rearrange(vertices, [&](mesh::Positions& moving) {
+    for (int i = 0; i < iterations; ++i) {
+      mesh::smooth(surface.mesh, moving, vertices, how);
+      progress.advance();
+    }
+  });
   progress.finish();
+  if (options.has("script")) {
+    program::write_text(options.text("script"),
+                        mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)));
+  }
   mesh::save_obj(output, surface.mesh, positions);
 
   int moved = 0;
@@ -84,7 +93,9 @@ int smooth(const Options& options) {
                                {"before", quality(before)},
                                {"after", quality(after)}}
                       .dump(),
-                  counted(moved, "vertex", "vertices") + " moved\n" + line("before", before) + line("after ", after));
+                  options.on_stdout("script") ? ""
+                                              : counted(moved, "vertex", "vertices") + " moved\n" +
+                                                    line("before", before) + line("after ", after));
   return program::kDone;
 }
 
@@ -107,7 +118,7 @@ Command smooth_command() {
   return {
       "smooth",
       "  requad-edit smooth IN -o OUT [--iterations N] [--weights uniform|chord] [--project] [--pull T] [--no-guard]\n"
-      "                     [--feature-angle DEG | --features FILE] [--subdivide]\n"
+      "                     [--feature-angle DEG | --features FILE] [--script FILE] [--subdivide]\n"
       "      Laplacian smoothing (10 iterations, uniform weights); boundary and feature vertices stay; --project "
       "moves\n"
       "      each vertex back to the input's surface, --pull to within T of the input's nearest vertex; a step that\n"
@@ -115,7 +126,7 @@ Command smooth_command() {
       {"requad-edit smooth bunny.obj --project -o smooth.obj",
        "requad-edit smooth fandisk.obj --feature-angle 30 --weights chord --iterations 50 --project -o smooth.obj"},
       {{"subdivide", "project", "no-guard"},
-       {"output,o", "iterations", "weights", "pull", "feature-angle", "features"},
+       {"output,o", "iterations", "weights", "pull", "feature-angle", "features", "script"},
        {}},
       smooth};
 }

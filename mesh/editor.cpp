@@ -4,6 +4,23 @@
 
 namespace requad::mesh {
 
+VertexId Edit::removed_vertex() const {
+  if (!removed_face().valid()) return {};
+  return changed[static_cast<std::size_t>(QuadMesh::opposite(operation.h).index() & 3)];
+}
+
+FaceId Edit::removed_face() const {
+  if (!operates || operation.kind != BasicOperation::Kind::collapse) return {};
+  return QuadMesh::face(operation.h);
+}
+
+VertexId Edit::made_vertex() const { return made_face().valid() ? changed[3] : VertexId(); }
+
+FaceId Edit::made_face() const {
+  if (!operates || operation.kind != BasicOperation::Kind::split) return {};
+  return QuadMesh::face(inverse.h);
+}
+
 Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions, const SectorPlan* plan)
     : mesh_(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
   if (positions_ != nullptr)
@@ -16,25 +33,42 @@ Refusal Editor::why_not(const BasicOperation& operation) const {
   return features_->why_not(mesh_, operation);
 }
 
-Applied Editor::run(const BasicOperation& operation) {
+Applied Editor::perform(const BasicOperation& operation, Edit& edit) {
   Applied done;
   done.refusal = why_not(operation);
   if (done.refusal != Refusal::none) return done;
-  const bool collapses = operation.kind == BasicOperation::Kind::collapse;
-  const VertexId removed = collapses ? mesh_.origin(QuadMesh::opposite(operation.h)) : VertexId();
-  const VertexId kept = mesh_.origin(operation.h);
-  std::array<VertexId, 4> changed = changed_vertices(mesh_, operation);
+  edit.operates = true;
+  edit.operation = operation;
+  edit.changed = changed_vertices(mesh_, operation);
   done = apply(mesh_, operation);
-  if (operation.kind == BasicOperation::Kind::split) changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
-  Edit edit{true, operation, done.inverse, changed, {}};
-  if (positions_ != nullptr) {
+  edit.inverse = done.inverse;
+  if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
+  if (positions_ != nullptr)
     positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
-    if (collapses && !is_fixed(kept)) {
+  return done;
+}
+
+Applied Editor::run(const BasicOperation& operation) {
+  Edit edit;
+  const Applied done = perform(operation, edit);
+  if (done.refusal != Refusal::none) return done;
+  if (const VertexId removed = edit.removed_vertex(); positions_ != nullptr && removed.valid()) {
+    const VertexId kept = edit.changed[static_cast<std::size_t>(operation.h.index() & 3)];
+    if (!is_fixed(kept))
       record_placement(edit, kept, 0.5 * ((*positions_)[kept.slot()] + (*positions_)[removed.slot()]));
-    } else if (operation.kind == BasicOperation::Kind::split) {
-      place_parts(done.made, edit);
-    }
+  } else if (positions_ != nullptr && edit.made_vertex().valid()) {
+    place_parts(done.made, edit);
   }
+  edits_.push_back(std::move(edit));
+  return done;
+}
+
+Applied Editor::replay(const BasicOperation& operation, const Eigen::Vector3d& made_at) {
+  Edit edit;
+  const Applied done = perform(operation, edit);
+  if (done.refusal != Refusal::none) return done;
+  if (const VertexId made = edit.made_vertex(); positions_ != nullptr && made.valid())
+    record_placement(edit, made, made_at);
   edits_.push_back(std::move(edit));
   return done;
 }

@@ -40,6 +40,12 @@ struct Edit {
   BasicOperation inverse;           // if operates
   std::array<VertexId, 4> changed;  // if operates: the vertices whose valence changed, a split's new one among them
   std::vector<Placement> placements;
+
+  // The vertex and the face that a collapse removed, or a split made; none if the edit did not.
+  VertexId removed_vertex() const;
+  FaceId removed_face() const;
+  VertexId made_vertex() const;
+  FaceId made_face() const;
 };
 
 class Editor {
@@ -60,6 +66,9 @@ class Editor {
   // Performs it, or leaves everything as it was. New positions: what a collapse merges lies halfway, unless one of the
   // two is fixed; the parts of a split vertex move a little towards the faces they take.
   Applied run(const BasicOperation& operation);
+  // Performs an operation that was recorded: the new vertex of a split comes to `made_at`, and nothing else moves until
+  // place() is called for it.
+  Applied replay(const BasicOperation& operation, const Eigen::Vector3d& made_at);
   // Moves a vertex. Precondition: there are positions, and v is live and not fixed.
   void place(VertexId v, const Eigen::Vector3d& position);
   // Lets `arrange(positions)` move some vertices, of which it may move no other and no fixed one, as one edit.
@@ -69,7 +78,7 @@ class Editor {
     for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], Eigen::Vector3d::Zero()});
     arrange(*positions_);
     for (Placement& p : edit.placements) p.to = (*positions_)[p.vertex.slot()];
-    std::erase_if(edit.placements, [](const Placement& p) { return p.from == p.to; });
+    std::erase_if(edit.placements, [](const Placement& p) { return same_bits(p.from, p.to); });
     if (!edit.placements.empty()) edits_.push_back(std::move(edit));
   }
 
@@ -82,6 +91,8 @@ class Editor {
   void forget() { edits_.clear(); }
 
  private:
+  // Checks and performs the operation, fills in the edit, but for its placements, and makes room for positions.
+  Applied perform(const BasicOperation& operation, Edit& edit);
   void record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to);
   void place_parts(HalfEdgeId made, Edit& edit);
 

@@ -10,7 +10,10 @@
 //                 what "the surface" means.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -23,6 +26,13 @@ namespace requad::mesh {
 
 using Positions = std::vector<Eigen::Vector3d>;
 using Triangle = std::array<Eigen::Vector3d, 3>;
+
+// Whether two positions are the same to the last bit. (0 == -0, but a file tells them apart.)
+inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
+}
 
 // Measures. Each is O(1), those of a vertex O(valence). Preconditions: the element is live, positions are by slot.
 

@@ -1,21 +1,12 @@
 #include "mesh/obj.hpp"
 
-#include <array>
-#include <charconv>
-
 #include "mesh/embedding.hpp"
+#include "mesh/number_text.hpp"
 #include "mesh/program.hpp"
 
 namespace requad::mesh {
 
 namespace {
-
-template <class Number>
-void append(std::string& text, Number value) {
-  std::array<char, 32> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), end);
-}
 
 std::string obj_text(const QuadMesh& m, const Positions& positions, const std::vector<std::string>& comments) {
   std::string text;
@@ -24,7 +15,7 @@ std::string obj_text(const QuadMesh& m, const Positions& positions, const std::v
     text += 'v';
     for (const double coordinate : positions[v.slot()]) {
       text += ' ';
-      append(text, coordinate);
+      append_number(text, coordinate);
     }
     text += '\n';
   }
@@ -32,7 +23,7 @@ std::string obj_text(const QuadMesh& m, const Positions& positions, const std::v
     text += 'f';
     for (const int corner : face) {
       text += ' ';
-      append(text, corner + 1);
+      append_number(text, corner + 1);
     }
     text += '\n';
   }

@@ -1,12 +1,12 @@
 #include "mesh/options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <iostream>
 #include <limits>
 
 #include <boost/program_options.hpp>
+
+#include "mesh/number_text.hpp"
 
 namespace requad::program {
 
@@ -17,8 +17,9 @@ namespace {
 constexpr std::initializer_list<const char*> kCommon{"help", "version", "quiet", "json", "threads"};
 
 std::string shown(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  std::string text;
+  append_number(text, value);
+  return text;
 }
 
 }  // namespace

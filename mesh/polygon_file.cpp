@@ -15,8 +15,6 @@ namespace {
 
 // --- reading ---------------------------------------------------------------------------------------------------------
 
-// Products of four lengths, which geometry takes, are finite still.
-constexpr double kLargestCoordinate = 1e70;
 constexpr std::int64_t kMostVertices = std::numeric_limits<int>::max();
 
 bool has_repetition(std::span<const int> face) {

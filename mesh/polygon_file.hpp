@@ -28,6 +28,9 @@
 
 namespace requad::mesh {
 
+// Products of four lengths, which geometry takes, are finite still.
+constexpr double kLargestCoordinate = 1e70;
+
 struct PolygonMesh {
   std::string name;     // the file, for messages
   int first_index = 1;  // what the file's format calls its first vertex, for messages

@@ -174,6 +174,47 @@ std::vector<std::array<int, 4>> QuadMesh::compact_faces() const {
 
 namespace {
 
+// The `count` least ids that are not in the list, in increasing order.
+template <class Id>
+std::vector<Id> ids_beside(const std::vector<Id>& free_ids, int count, const char* what) {
+  std::vector<bool> taken(static_cast<std::size_t>(count) + free_ids.size(), false);
+  for (const Id id : free_ids) {
+    if (!id.valid() || id.slot() >= taken.size() || taken[id.slot()])
+      throw MeshError(std::string(what) + " " + std::to_string(id.index()) + " can not be free");
+    taken[id.slot()] = true;
+  }
+  std::vector<Id> ids;
+  ids.reserve(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (!taken[i]) ids.emplace_back(static_cast<std::int32_t>(i));
+  }
+  return ids;
+}
+
+}  // namespace
+
+QuadMesh QuadMesh::with_free_ids(std::vector<FaceId> free_faces, std::vector<VertexId> free_vertices) const {
+  const std::vector<FaceId> face_ids = ids_beside(free_faces, face_capacity(), "face");
+  const std::vector<VertexId> vertex_ids = ids_beside(free_vertices, vertex_capacity(), "vertex");
+  const auto renamed = [&face_ids](HalfEdgeId h) {
+    return h.valid() ? half_edge(face_ids[face(h).slot()], h.index() & 3) : h;
+  };
+  QuadMesh mesh;
+  mesh.twin_.resize(4 * (face_ids.size() + free_faces.size()));
+  mesh.origin_.resize(mesh.twin_.size());
+  mesh.out_.resize(vertex_ids.size() + free_vertices.size());
+  for (const HalfEdgeId h : half_edges()) {
+    mesh.twin_[renamed(h).slot()] = renamed(twin(h));
+    mesh.origin_[renamed(h).slot()] = vertex_ids[origin(h).slot()];
+  }
+  for (const VertexId v : vertices()) mesh.out_[vertex_ids[v.slot()].slot()] = renamed(out(v));
+  mesh.free_faces_ = std::move(free_faces);
+  mesh.free_vertices_ = std::move(free_vertices);
+  return mesh;
+}
+
+namespace {
+
 // How many ids at the top of the arrays wait at the bottom of the free list in the order in which growing the arrays
 // would hand them out: such a mesh behaves as one whose arrays never grew.
 template <class Id>

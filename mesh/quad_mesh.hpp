@@ -116,6 +116,12 @@ class QuadMesh {
   // The faces as vertex indices, for tests, files and rebuilding; ids of dead elements leave gaps in neither.
   std::vector<std::array<int, 4>> compact_faces() const;
 
+  // This mesh, which must have no free ids, with some: its vertices and faces take in their order the ids that are not
+  // listed, corners stay as they are, and the listed ids are handed out from the back. So a mesh that was written and
+  // read again gets back the ids that it had. Throws MeshError if the lists name an id twice or one that is not below
+  // the number of live and free ones. O(V + F).
+  QuadMesh with_free_ids(std::vector<FaceId> free_faces, std::vector<VertexId> free_vertices) const;
+
   // The same mesh with the same ids, handing out the same ids next (see signature.hpp for isomorphism). Neither the
   // choice of out(v) for interior v nor room at the end of the arrays counts.
   friend bool operator==(const QuadMesh& a, const QuadMesh& b);

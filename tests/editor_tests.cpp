@@ -76,6 +76,19 @@ TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll 
   }
 }
 
+TEST_CASE("Law E1: a move from 0 to -0 is a move, and is taken back", "[editor]") {
+  QuadMesh m = tests::torus(3, 3);
+  Positions positions(9, Eigen::Vector3d::Zero());
+  Editor editor(m, nullptr, &positions);
+  const std::array moved{VertexId(4)};
+  editor.rearrange(moved, [](Positions& p) { p[4].y() = -0.0; });
+  REQUIRE(editor.edits().size() == 1);
+  editor.rearrange(moved, [](Positions&) {});
+  CHECK(editor.edits().size() == 1);
+  editor.roll_back();
+  CHECK(same_bits(positions[4], Eigen::Vector3d::Zero()));
+}
+
 TEST_CASE("Law C1: a step changes the valences of both places of the courier and no other", "[courier]") {
   // By hand: u gains and v loses an edge, the next u loses and the next v gains one.
   const Region start = enumerate::glue_region(theory::kQuad, {{1, 0, theory::IntegerVector::Constant(4, 3)}, 1});

@@ -1,6 +1,7 @@
 // mesh/: building, traversal, and the validator on meshes that are broken in every way it names.
 #include "tests/catch.hpp"
 
+#include "mesh/basic_operations.hpp"
 #include "mesh/validate.hpp"
 #include "tests/support.hpp"
 
@@ -235,4 +236,29 @@ TEST_CASE("the validator ends on any garbage", "[mesh]") {
     const auto defects = validate(QuadMesh::from_arrays_unchecked(twin, origin, out));
     for (const Defect& d : defects) REQUIRE(d.message.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("a mesh gets back the ids that it had", "[mesh]") {
+  // By hand: two vertices and a face go, so that those after them move up when the mesh is written.
+  QuadMesh m = torus(4, 4);
+  REQUIRE(collapse(m, HalfEdgeId(4 * 5 + 1)) == Refusal::none);
+  REQUIRE(collapse(m, HalfEdgeId(4 * 2)) == Refusal::none);
+  const QuadMesh compact = QuadMesh::from_faces(14, m.compact_faces());
+  std::vector<VertexId> free_vertices;
+  for (const int f : {5, 2}) {
+    const QuadMesh whole = torus(4, 4);
+    free_vertices.push_back(whole.origin(QuadMesh::half_edge(FaceId(f), f == 5 ? 3 : 2)));
+  }
+  const QuadMesh again = compact.with_free_ids({FaceId(5), FaceId(2)}, free_vertices);
+  CHECK(validate(again).empty());
+  CHECK(again == m);
+  std::swap(free_vertices[0], free_vertices[1]);
+  const QuadMesh other_order = compact.with_free_ids({FaceId(5), FaceId(2)}, free_vertices);
+  CHECK(validate(other_order).empty());
+  CHECK_FALSE(other_order == m);
+  CHECK(compact.with_free_ids({}, {}) == compact);
+  // Twice, none, and beyond the last.
+  CHECK_THROWS_AS(compact.with_free_ids({FaceId(5), FaceId(5)}, {}), MeshError);
+  CHECK_THROWS_AS(compact.with_free_ids({FaceId()}, {}), MeshError);
+  CHECK_THROWS_AS(compact.with_free_ids({}, {VertexId(15)}), MeshError);
 }
