@@ -16,18 +16,6 @@ bool contains(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
 
-// Calls visit(x, at) for each neighbour x of a vertex, by every sector that has the edge to x and an excess of this
-// sign. `at` is the edge's half-edge in the sector's patch.
-template <class Visit>
-void for_each_edge(const QuadMesh& m, const Sectors& sectors, VertexId v, int sign, Visit&& visit) {
-  m.for_each_out(v, [&](HalfEdgeId h) {
-    if (sign * sectors.excess(h) <= 0) return;
-    visit(m.target(h), h);
-    const HalfEdgeId last = QuadMesh::previous(h);  // the sector's last edge, if it is cut
-    if (sectors.is_cut(last)) visit(m.origin(last), last);
-  });
-}
-
 struct Route {
   HalfEdgeId first;  // on the first edge, in the patch that the path leaves by; none if there is no path
   int length = 0;
@@ -42,11 +30,11 @@ Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId 
   std::vector<VertexId> last;  // vertices of the path before `to`
   std::vector<HalfEdgeId> direct;
   const auto passable = [&](VertexId v) { return sectors.may_change(v) && !sectors.is_irregular(v); };
-  for_each_edge(m, sectors, to, -sign, [&](VertexId x, HalfEdgeId at) {
+  sectors.for_each_edge(to, -sign, [&](VertexId x, HalfEdgeId at) {
     if (x == from) direct.push_back(at);
     if (passable(x)) last.push_back(x);
   });
-  for_each_edge(m, sectors, from, sign, [&](VertexId x, HalfEdgeId at) {
+  sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
     const bool adjacent = x == to && std::any_of(direct.begin(), direct.end(), [&](HalfEdgeId h) {
                             return h == at || (h == m.twin(at) && !sectors.is_cut(at));
                           });
@@ -56,7 +44,7 @@ Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId 
   around.measure(
       m, last, [&](VertexId v) { return v == from || passable(v); },
       [&](VertexId v) { return v != from && !sectors.is_fixed(v); }, [&](VertexId v, int) { return v == from; });
-  for_each_edge(m, sectors, from, sign, [&](VertexId x, HalfEdgeId at) {
+  sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
     const int d = around.distance(x);
     if (d >= 0 && x != from && (!result.first.valid() || d + 2 < result.length)) result = {at, d + 2};
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include "mesh/edit_session.hpp"
 
@@ -57,12 +58,13 @@ Way try_step(Editor& editor, const PairMove& move) {
 }
 
 // Sends a courier from the pair's vertex `from` along an edge, for the other to take; the caller takes it back.
-Way try_courier(Session& session, mesh::Courier& courier, VertexId from, VertexId to, HalfEdgeId edge) {
+Way try_courier(Session& session, mesh::Courier& courier, VertexId from, VertexId to, mesh::CourierPlace place) {
   const QuadMesh& m = session.mesh();
   const int faces = m.face_count();
-  Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(m.target(edge))), "",
+  const VertexId next = place.u(m) == from ? place.v(m) : place.u(m);
+  Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(next)), "",
           Refusal::none, 0, 0};
-  const mesh::Transport journey = courier.carry({edge, m.face_valence(from) != 3}, std::array{to});
+  const mesh::Transport journey = courier.carry(place, std::array{to});
   way.refusal = journey.refusal;
   if (way.refusal != Refusal::none) return way;
   way.operations = journey.steps;
@@ -76,12 +78,16 @@ template <class Visit>
 Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
   const QuadMesh& m = session.mesh();
   Editor& editor = session.editor();
+  const mesh::Sectors& sectors = editor.sectors();
   const auto is_one = [&](VertexId v) {
-    return !editor.is_fixed(v) && (m.face_valence(v) == 3 || m.face_valence(v) == 5);
+    bool one = false;
+    sectors.for_each_sector(v, [&](HalfEdgeId h) { one = one || std::abs(sectors.excess(h)) == 1; });
+    return one;
   };
   if (a == b || !is_one(a) || !is_one(b)) return Refusal::wrong_valences;
   const std::size_t mark = editor.mark();
-  const std::vector<PairMove> steps = mesh::pair_moves(m, a, b);
+  std::vector<PairMove> steps;  // of free vertices; features and boundaries allow couriers only
+  if (!editor.is_fixed(a) && !editor.is_fixed(b)) steps = mesh::pair_moves(m, a, b);
   for (const PairMove& step : steps) {
     if (visit(try_step(editor, step))) return Refusal::none;
     editor.roll_back(mark);
@@ -89,10 +95,16 @@ Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
   if (!steps.empty()) return Refusal::none;
   mesh::Courier courier(editor);
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    std::vector<HalfEdgeId> edges;
-    m.for_each_out(from, [&edges](HalfEdgeId h) { edges.push_back(h); });
-    for (const HalfEdgeId edge : edges) {
-      if (visit(try_courier(session, courier, from, to, edge))) return Refusal::none;
+    // A v3 is a courier's u, a v5 its v.
+    std::vector<mesh::CourierPlace> places;
+    for (const int sign : {-1, 1}) {
+      sectors.for_each_edge(from, sign, [&](VertexId, HalfEdgeId at) {
+        const bool at_u = m.origin(at) == from;
+        places.push_back({at, (sign < 0) != at_u});
+      });
+    }
+    for (const mesh::CourierPlace place : places) {
+      if (visit(try_courier(session, courier, from, to, place))) return Refusal::none;
       editor.roll_back(mark);
     }
   }

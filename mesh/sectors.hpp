@@ -67,6 +67,17 @@ class Sectors {
       if (is_cut(h)) visit(h);
     });
   }
+  // Calls visit(x, at) for each neighbour x of v, by every sector that has the edge to x and an excess of this sign.
+  // `at` is the edge's half-edge in the sector's patch. O(valence^2).
+  template <class Visit>
+  void for_each_edge(VertexId v, int sign, Visit&& visit) const {
+    mesh_.for_each_out(v, [&](HalfEdgeId h) {
+      if (sign * excess(h) <= 0) return;
+      visit(mesh_.target(h), h);
+      const HalfEdgeId last = QuadMesh::previous(h);  // the sector's last edge, if it is cut
+      if (is_cut(last)) visit(mesh_.origin(last), last);
+    });
+  }
   // Whether a sector of v has negative (positive) excess.
   bool lacks(VertexId v) const {
     return any(v, [](int e) { return e < 0; });

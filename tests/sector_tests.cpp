@@ -195,7 +195,8 @@ TEST_CASE("A disturbed sheet is repaired up to its features and boundary", "[sec
   CHECK(repaired >= 8);
 }
 
-TEST_CASE("With features kept, a disturbed fandisk loses more than half of its irregular vertices", "[sectors][reduce][real]") {
+TEST_CASE("With features kept, a disturbed fandisk loses more than half of its irregular vertices",
+          "[sectors][reduce][real]") {
   const auto path = tests::real_mesh("fandisk_bommes");
   if (!path) return;
   const Surface input = read_surface(*path, false);
