@@ -129,14 +129,17 @@ bool Filler::may_cut(int a, int b, Sums between) const {
 // --- the moves from a partial mesh -----------------------------------------------------------------------------------
 
 // The edge v -> w, as v. A corner w (one quad missing) leaves one vertex of its quad to be chosen, two corners none. So
-// two corners where the hole changed last, or the next corner; a pair of corners further off can wait.
+// two corners where the hole changed last, or the nearest corner; a pair of corners further off can wait.
 int Filler::choose_edge(const Hole& hole) const {
   if (hole.sums.corners() == 0) return hole.node;
   int w = next(hole.node);
   for (int i = 0; i < kNear; ++i, w = previous(w)) {
     if (node(w).need == 1 && node(previous(w)).need == 1) return previous(w);
   }
-  for (w = hole.node; node(w).need != 1;) w = next(w);
+  int back = previous(hole.node);
+  for (w = hole.node; node(w).need != 1; w = next(w), back = previous(back)) {
+    if (node(back).need == 1) return previous(back);
+  }
   return previous(w);
 }
 
@@ -174,15 +177,23 @@ void Filler::list_y(const Hole& hole, int v, int x, Sums before) {
     if (x_is_done) return;
   }
   list_shares(hole, v, x, kNone, before, {});
-  // Any other y has a hole on each side, so it is concave: three quads missing or more. Go back from v while there are.
-  int concave = hole.sums.concavity() - concavity(v) - concavity(w);
-  if (x != kNone) concave -= concavity(x) + concavity(next(x));
+  // Any other y has a hole on each side, so it is concave: three quads missing or more. Look for such y from both ends of
+  // what is left, until all have been seen.
   const int end = x == kNone ? w : next(x);
-  Sums between;
-  for (int y = previous(v); y != end && (concave -= concavity(y)) > 0;) {
-    between += sums_at(y);
-    y = previous(y);
-    if (y != end && node(y).need >= 3 && may_cut(v, y, between)) list_shares(hole, v, x, y, before, between);
+  Sums ahead = hole.sums - sums_at(v) - sums_at(w) - before;  // from the last node looked at there to previous(v)
+  if (x != kNone) ahead -= sums_at(x) + sums_at(end);
+  int concave = ahead.concavity();
+  const auto try_as_y = [&](int y, Sums between) {
+    concave -= concavity(y);
+    if (y != previous(v) && may_cut(v, y, between)) list_shares(hole, v, x, y, before, between);
+  };
+  Sums behind;
+  for (int back = previous(v), forth = next(end); concave > 0; back = previous(back), forth = next(forth)) {
+    if (concavity(back) > 0) try_as_y(back, behind);
+    behind += sums_at(back);
+    if (concave == 0) break;
+    ahead -= sums_at(forth);
+    if (concavity(forth) > 0) try_as_y(forth, ahead);
   }
 }
 

@@ -63,12 +63,6 @@ Examples:
   requad-enumerate signature bunny.obj
 )";
 
-IntegerVector to_vector(const std::vector<std::int64_t>& values) {
-  IntegerVector v(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) v(static_cast<Eigen::Index>(i)) = values[i];
-  return v;
-}
-
 PairType parse_pair(const std::string& text) {
   static const std::map<std::string, PairType> kPairs{
       {"3-3", theory::kDigon}, {"5-5", theory::kHexagon}, {"3-5", theory::kQuad}, {"5-3", theory::kQuad}};
@@ -108,7 +102,7 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
 
 IntegerVector required_sides(const Options& options, PairType type) {
   if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 9,9");
-  IntegerVector sides = to_vector(program::parse_integers(options.text("sides"), "--sides"));
+  IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
   if (const std::string problem = theory::sides_problem(type, sides); !problem.empty()) throw UsageError("--sides: " + problem);
   // What exploring would keep in memory: every configuration's mesh.
   constexpr double kMostQuads = 2e8;
@@ -148,7 +142,7 @@ int region(const Options& options, const std::vector<std::string>& words) {
   const PairType type = parse_shape(words[0]);
   Configuration c;
   c.parameters = {program::parse_integer(words[1], "D1"), program::parse_integer(words[2], "D2"),
-                  to_vector(program::parse_integers(words[3], "strip counts"))};
+                  theory::to_vector(program::parse_integers(words[3], "strip counts"))};
   if (const std::string problem = theory::parameters_problem(type, c.parameters); !problem.empty()) {
     throw UsageError("region: " + problem);
   }

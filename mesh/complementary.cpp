@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
-#include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace requad::mesh {
@@ -17,34 +16,61 @@ bool contains(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
 
-// The first half-edge of a shortest path from one vertex to another over regular, unfixed vertices; none if there is no
-// such path.
-HalfEdgeId first_step(const Editor& editor, Surroundings& around, VertexId from, VertexId to) {
-  const QuadMesh& m = editor.mesh();
-  const std::array<VertexId, 1> source{to};
-  around.measure(
-      m, source, [&](VertexId v) { return v == from || (!editor.is_fixed(v) && m.face_valence(v) == 4); },
-      [&](VertexId v) { return v != from; }, [&](VertexId v, int) { return v == from; });
-  const int d = around.distance(from);
-  HalfEdgeId best;
-  if (d <= 0) return best;
-  m.for_each_out(from, [&](HalfEdgeId h) {
-    if (!best.valid() && around.distance(m.target(h)) == d - 1) best = h;
+// Calls visit(x, at) for each neighbour x of a vertex, by every sector that has the edge to x and an excess of this
+// sign. `at` is the edge's half-edge in the sector's patch.
+template <class Visit>
+void for_each_edge(const QuadMesh& m, const Sectors& sectors, VertexId v, int sign, Visit&& visit) {
+  m.for_each_out(v, [&](HalfEdgeId h) {
+    if (sign * sectors.excess(h) <= 0) return;
+    visit(m.target(h), h);
+    const HalfEdgeId last = QuadMesh::previous(h);  // the sector's last edge, if it is cut
+    if (sectors.is_cut(last)) visit(m.origin(last), last);
   });
-  return best;
+}
+
+struct Route {
+  HalfEdgeId first;  // on the first edge, in the patch that the path leaves by; none if there is no path
+  int length = 0;
+};
+
+// A shortest path from one vertex to another over regular, free vertices; its ends may run along a feature. It leaves
+// `from` by a sector whose excess has the sign given, and comes to `to` by one of the other sign.
+Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId to, int sign) {
+  const QuadMesh& m = editor.mesh();
+  const Sectors& sectors = editor.sectors();
+  Route result;
+  std::vector<VertexId> last;  // vertices of the path before `to`
+  std::vector<HalfEdgeId> direct;
+  const auto passable = [&](VertexId v) { return sectors.may_change(v) && !sectors.is_irregular(v); };
+  for_each_edge(m, sectors, to, -sign, [&](VertexId x, HalfEdgeId at) {
+    if (x == from) direct.push_back(at);
+    if (passable(x)) last.push_back(x);
+  });
+  for_each_edge(m, sectors, from, sign, [&](VertexId x, HalfEdgeId at) {
+    const bool adjacent = x == to && std::any_of(direct.begin(), direct.end(), [&](HalfEdgeId h) {
+                            return h == at || (h == m.twin(at) && !sectors.is_cut(at));
+                          });
+    if (adjacent) result = {at, 1};
+  });
+  if (result.first.valid()) return result;
+  around.measure(
+      m, last, [&](VertexId v) { return v == from || passable(v); },
+      [&](VertexId v) { return v != from && !sectors.is_fixed(v); }, [&](VertexId v, int) { return v == from; });
+  for_each_edge(m, sectors, from, sign, [&](VertexId x, HalfEdgeId at) {
+    const int d = around.distance(x);
+    if (d >= 0 && x != from && (!result.first.valid() || d + 2 < result.length)) result = {at, d + 2};
+  });
+  return result;
 }
 
 // The helpers after one of them took a courier: it has moved, or is regular, or has become two.
-void update_helpers(const QuadMesh& m, const Transport& journey, std::vector<VertexId>& helpers) {
-  std::erase_if(helpers, [&](VertexId v) { return !m.is_live(v) || m.face_valence(v) == 4; });
-  for (const VertexId v : {m.origin(journey.courier), m.target(journey.courier)}) {
-    if (m.face_valence(v) != 4 && !contains(helpers, v)) helpers.push_back(v);
+void update_helpers(const Editor& editor, const Transport& journey, std::vector<VertexId>& helpers) {
+  const QuadMesh& m = editor.mesh();
+  std::erase_if(helpers, [&](VertexId v) { return !m.is_live(v) || !editor.sectors().is_irregular(v); });
+  for (const VertexId v : {journey.courier.u(m), journey.courier.v(m)}) {
+    if (editor.sectors().is_irregular(v) && !contains(helpers, v)) helpers.push_back(v);
   }
 }
-
-}  // namespace
-
-namespace {
 
 // In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.
 struct Manner {
@@ -59,30 +85,35 @@ Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, 
   Cancellation result;
   Surroundings around;
   int couriers_left = -1;
+  const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
   for (bool adjacent = false; !adjacent;) {
-    const HalfEdgeId first = first_step(editor, around, three, five);
+    const Route path = route(editor, around, three, five, -1);
     // Splits on the way may make the path longer, but not for ever.
-    if (couriers_left < 0) couriers_left = 3 * around.distance(three) + 8;
-    if (!first.valid() || couriers_left-- == 0) return {Refusal::no_way, 0, 0, {}};
-    if (helpers.empty()) return {Refusal::lone_pair, 0, 0, {}};
-    adjacent = m.target(first) == five;
-    const HalfEdgeId last = adjacent ? first : m.twin(first_step(editor, around, five, three));
+    if (couriers_left < 0) couriers_left = 3 * path.length + 8;
+    if (!path.first.valid() || couriers_left-- == 0) return refuse(Refusal::no_way);
+    if (helpers.empty()) return refuse(Refusal::lone_pair);
+    adjacent = path.length == 1;
     // The v3 takes the path's first edge, or the v5 its last one.
     Transport journey;
     journey.refusal = Refusal::no_way;
     for (const bool five_walks : {manner.five_walks, !manner.five_walks}) {
-      const HalfEdgeId edge = five_walks ? last : first;
-      if (!edge.valid() || (!five_walks && m.face_valence(three) != 3)) continue;
-      const VertexId next = five_walks ? m.origin(edge) : m.target(edge);
-      journey = courier.carry(edge, helpers, manner.may_cross);
+      const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
+      if (!edge.valid()) continue;
+      // A courier runs from the v3, or from where the v5 goes.
+      const bool from_origin = (m.origin(edge) == three) || (five_walks && m.origin(edge) != five);
+      const CourierPlace start{edge, !from_origin};
+      if (!five_walks && editor.sectors().excess(start.at_u()) != -1) continue;
+      const VertexId next = five_walks ? start.u(m) : start.v(m);
+      journey = courier.carry(start, helpers, manner.may_cross);
+      result.obstacles |= journey.obstacles;
       if (journey.refusal != Refusal::none) continue;
       (five_walks ? five : three) = next;
       break;
     }
-    if (journey.refusal != Refusal::none) return {journey.refusal, 0, 0, {}};
+    if (journey.refusal != Refusal::none) return refuse(journey.refusal);
     ++result.couriers;
     result.steps += journey.steps;
-    update_helpers(m, journey, helpers);
+    update_helpers(editor, journey, helpers);
   }
   result.helpers = std::move(helpers);
   return result;
@@ -92,10 +123,12 @@ Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, 
 
 Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers) {
-  const QuadMesh& m = editor.mesh();
+  const Sectors& sectors = editor.sectors();
   Cancellation result;
-  if (editor.is_fixed(three) || editor.is_fixed(five) || m.face_valence(three) > 3 || m.face_valence(five) < 5) {
-    result.refusal = Refusal::wrong_valences;
+  if (!sectors.lacks(three) || !sectors.exceeds(five)) {
+    const bool same =
+        (sectors.lacks(three) && sectors.lacks(five)) || (sectors.exceeds(three) && sectors.exceeds(five));
+    result.refusal = same ? Refusal::index : Refusal::wrong_valences;
   } else if (helpers.empty()) {
     result.refusal = Refusal::lone_pair;
   } else {
@@ -192,10 +225,10 @@ PairResult align_pair(Editor& editor, VertexId v1, VertexId v2) {
 
 namespace {
 
-// How far some valences are from regular, large ones counting more than their share.
-int irregularity(std::span<const int> valences) {
+// How far some excesses are from 0, large ones counting more than their share.
+int irregularity(std::span<const int> excesses) {
   int sum = 0;
-  for (const int l : valences) sum += (l - 4) * (l - 4);
+  for (const int e : excesses) sum += e * e;
   return sum;
 }
 
@@ -204,21 +237,20 @@ struct Parting {
   int gain;  // by which the irregularity falls
 };
 
-// All operations that part v, as even splits as there are or collapses.
-std::vector<Parting> partings(const QuadMesh& m, VertexId v) {
+// All operations that part a free vertex v, as even splits as there are or collapses.
+std::vector<Parting> partings(const QuadMesh& m, const Sectors& sectors, VertexId v) {
   std::vector<Parting> result;
   const int l = m.face_valence(v);
   std::vector<HalfEdgeId> out;
   m.for_each_out(v, [&](HalfEdgeId h) { out.push_back(h); });
   if (l == 2) {
     for (const HalfEdgeId h : out) {
-      const std::array<VertexId, 4> c = m.corners(QuadMesh::face(h));
-      std::array<int, 4> before{};
-      std::transform(c.begin(), c.end(), before.begin(), [&](VertexId x) { return m.valence(x); });
-      // The far corner keeps its name: it takes v in.
-      const HalfEdgeId keep = QuadMesh::opposite(h);
-      const std::array<int, 3> after{m.valence(m.origin(keep)), m.valence(m.target(h)) - 1,
-                                     m.valence(m.target(keep)) - 1};
+      const HalfEdgeId keep = QuadMesh::opposite(h);  // the far corner keeps its name: it takes v in
+      const int far = sectors.excess(keep);
+      const int b = sectors.excess(QuadMesh::next(h));
+      const int d = sectors.excess(QuadMesh::previous(h));
+      const std::array<int, 4> before{-2, far, b, d};
+      const std::array<int, 3> after{far, b - 1, d - 1};
       result.push_back({{BasicOperation::Kind::collapse, keep, {}, 0}, irregularity(before) - irregularity(after)});
     }
     return result;
@@ -226,13 +258,12 @@ std::vector<Parting> partings(const QuadMesh& m, VertexId v) {
   const int half = l / 2;
   for (int i = 0; i < l; ++i) {
     const HalfEdgeId first = out[static_cast<std::size_t>(i)];
-    const HalfEdgeId end = out[static_cast<std::size_t>((i + half) % l)];
-    const int la = m.valence(m.target(first));
-    const int lb = m.valence(m.target(end));
-    const std::array<int, 3> before{l, la, lb};
-    const std::array<int, 4> after{half + 1, l - half + 1, la + 1, lb + 1};
-    result.push_back(
-        {{BasicOperation::Kind::split, first, m.twin(end), 0}, irregularity(before) - irregularity(after)});
+    const HalfEdgeId last = m.twin(out[static_cast<std::size_t>((i + half) % l)]);
+    const int a = sectors.excess(QuadMesh::next(first));
+    const int b = sectors.excess(last);
+    const std::array<int, 3> before{l - 4, a, b};
+    const std::array<int, 4> after{half - 3, l - half - 3, a + 1, b + 1};
+    result.push_back({{BasicOperation::Kind::split, first, last, 0}, irregularity(before) - irregularity(after)});
   }
   return result;
 }
@@ -241,15 +272,19 @@ std::vector<Parting> partings(const QuadMesh& m, VertexId v) {
 
 Refusal part_vertex(Editor& editor, VertexId v) {
   const QuadMesh& m = editor.mesh();
-  if (m.is_boundary(v) || (m.face_valence(v) != 2 && m.face_valence(v) < 6)) return Refusal::wrong_valences;
-  std::vector<Parting> ways = partings(m, v);
+  const Sectors& sectors = editor.sectors();
+  if (sectors.is_fixed(v) || (m.face_valence(v) != 2 && m.face_valence(v) < 6)) return Refusal::wrong_valences;
+  std::vector<Parting> ways = partings(m, sectors, v);
   std::stable_sort(ways.begin(), ways.end(), [](const Parting& a, const Parting& b) { return a.gain > b.gain; });
   Refusal refusal = Refusal::irregular_in_the_way;
   for (const Parting& way : ways) {
     if (way.gain <= 0) break;
-    bool boundary = false;
-    for (const VertexId x : changed_vertices(m, way.operation)) boundary = boundary || (x.valid() && m.is_boundary(x));
-    refusal = boundary ? Refusal::touches_boundary : editor.run(way.operation).refusal;
+    refusal = Refusal::none;
+    for (const VertexId x : changed_vertices(m, way.operation)) {
+      if (!x.valid() || sectors.may_change(x)) continue;
+      refusal = m.is_boundary(x) ? Refusal::touches_boundary : Refusal::breaks_feature;
+    }
+    if (refusal == Refusal::none) refusal = editor.run(way.operation).refusal;
     if (refusal == Refusal::none) break;
   }
   return refusal;

@@ -15,6 +15,7 @@ namespace requad::mesh {
 // What a cancellation did.
 struct Cancellation {
   Refusal refusal = Refusal::none;
+  Obstacles obstacles;  // in the way of couriers, where the refusal is no_way
   int couriers = 0;
   int steps = 0;                  // operations
   std::vector<VertexId> helpers;  // where the vertices that took the couriers are now, those that are still irregular
@@ -25,19 +26,22 @@ struct Cancellation {
 // is the adjacent pair itself. The helpers are the third vertices of section 8, at least one; a helper that a courier
 // makes regular drops out (a 3-3-5-5 removal).
 //
-// Refusals: wrong_valences; lone_pair without helpers; no_way if the v3 can not reach the v5 or a courier no helper
-// without a feature, the boundary or another irregular vertex in the way. Cost: (distance of the pair) journeys.
+// A fixed vertex is a v3 or v5 by the excess of one of its sectors (sectors.hpp).
+//
+// Refusals: wrong_valences; index for two of one sign, which can not cancel each other; lone_pair without helpers;
+// no_way if the v3 can not reach the v5 or a courier no helper. Cost: (distance of the pair) journeys.
 Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers);
 
 // The vertices nearest to some vertex for which wanted(v) holds, nearest first, at most `most`. Looks through vertices
-// that are not fixed, no further than it must.
+// that may change, no further than it must and not beyond fixed ones.
 template <class Wanted>
 std::vector<VertexId> nearest(const Editor& editor, Surroundings& surroundings, VertexId from, int most,
                               Wanted&& wanted) {
   std::vector<VertexId> found;
   surroundings.measure(
-      editor.mesh(), std::array{from}, [&](VertexId v) { return !editor.is_fixed(v); }, [](VertexId) { return true; },
+      editor.mesh(), std::array{from}, [&](VertexId v) { return editor.sectors().may_change(v); },
+      [&](VertexId v) { return !editor.is_fixed(v); },
       [&](VertexId v, int) {
         if (v != from && wanted(v)) found.push_back(v);
         return static_cast<int>(found.size()) >= most;

@@ -16,42 +16,50 @@ const char* name(CourierStep::Way way) {
   return "";
 }
 
-PlannedStep plan(const QuadMesh& m, HalfEdgeId courier, CourierStep step, int turn) {
+PlannedStep plan(const QuadMesh& m, CourierPlace courier, CourierStep step, int turn) {
   const bool left = step.hand == Hand::left;
-  const HalfEdgeId back = m.twin(courier);  // v -> u
+  const HalfEdgeId forth = courier.forth(m);  // u -> v, used by the left hand
+  const HalfEdgeId back = courier.back(m);    // v -> u, used by the right hand
   PlannedStep result;
   switch (step.way) {
     case CourierStep::Way::collapse: {
-      const HalfEdgeId keep = left ? courier : QuadMesh::next(back);  // u -> v or u -> d
+      const HalfEdgeId keep = left ? forth : QuadMesh::next(back);        // u -> v or u -> d
+      const HalfEdgeId from_d = left ? QuadMesh::previous(forth) : keep;  // d -> u or u -> d
+      const HalfEdgeId d_c = QuadMesh::opposite(left ? forth : back);     // c -> d or d -> c
       result.operation = {BasicOperation::Kind::collapse, keep, {}, 0};
-      result.next_v = m.origin(QuadMesh::opposite(keep));
-      result.edge = m.twin(left ? QuadMesh::opposite(courier) : keep);
-      result.next_u = left ? m.origin(QuadMesh::previous(courier)) : m.target(keep);
+      result.at_u = left ? from_d : d_c;
+      result.at_v = left ? d_c : QuadMesh::previous(back);
+      result.first = d_c;
+      result.next = {m.twin(d_c), !left};
+      result.beside = {m.twin(from_d), left};
       break;
     }
     case CourierStep::Way::flip: {
-      const HalfEdgeId edge = left ? QuadMesh::next(courier) : QuadMesh::previous(back);  // v -> c or c -> v
+      const HalfEdgeId edge = left ? QuadMesh::next(forth) : QuadMesh::previous(back);  // v -> c or c -> v
       const HalfEdgeId across = m.twin(edge);
       result.operation = {left ? BasicOperation::Kind::flip_cw : BasicOperation::Kind::flip_ccw, edge, {}, 0};
-      result.next_u = left ? m.target(edge) : m.origin(edge);
-      if (across.valid())
-        result.next_v = left ? m.origin(QuadMesh::previous(across)) : m.target(QuadMesh::next(across));
-      result.edge = edge;
-      result.reversed = left;
+      result.at_u = left ? QuadMesh::opposite(forth) : edge;
+      if (across.valid()) result.at_v = left ? QuadMesh::previous(across) : QuadMesh::opposite(across);
+      result.next = {edge, left};
       break;
     }
     case CourierStep::Way::split: {
-      HalfEdgeId to_z = back;
-      for (int k = 0; k < turn; ++k) to_z = left ? m.cw(to_z) : m.ccw(to_z);
-      const HalfEdgeId from_z = m.twin(to_z);
-      result.operation = left ? BasicOperation{BasicOperation::Kind::split, to_z, courier, 0}
-                              : BasicOperation{BasicOperation::Kind::split, back, from_z, 0};
-      result.next_v = m.target(to_z);
-      result.edge = left ? to_z : from_z;
-      result.reversed = !left;
+      // v -> z on the left, z -> v on the right: the sector from u to z lies beside it.
+      HalfEdgeId z = left ? QuadMesh::next(forth) : QuadMesh::previous(back);
+      for (int k = 1; k < turn && z.valid(); ++k) {
+        z = m.twin(z);
+        if (z.valid()) z = left ? QuadMesh::next(z) : QuadMesh::previous(z);
+      }
+      result.next = {z, !left};
+      if (!z.valid()) break;
+      result.operation = left ? BasicOperation{BasicOperation::Kind::split, z, forth, 0}
+                              : BasicOperation{BasicOperation::Kind::split, back, z, 0};
+      result.at_v = left ? QuadMesh::next(z) : z;
       break;
     }
   }
+  if (result.at_u.valid()) result.next_u = m.origin(result.at_u);
+  if (result.at_v.valid()) result.next_v = m.origin(result.at_v);
   return result;
 }
 
@@ -67,6 +75,23 @@ PlannedStep renamed(const QuadMesh& m, const PlannedStep& step) {
   return result;
 }
 
+Obstacles& Obstacles::operator|=(const Obstacles& o) {
+  features |= o.features, boundary |= o.boundary, irregular |= o.irregular, limit |= o.limit;
+  return *this;
+}
+
+std::string to_string(const Obstacles& obstacles) {
+  std::string text;
+  const auto add = [&text](bool met, const char* what) {
+    if (met) text += (text.empty() ? "" : ", ") + std::string(what);
+  };
+  add(obstacles.features, "features");
+  add(obstacles.boundary, "the boundary");
+  add(obstacles.irregular, "other irregular vertices");
+  add(obstacles.limit, "the limit of the search");
+  return text;
+}
+
 namespace {
 
 // What landing on a vertex does: it is regular and becomes the courier's end; it is a target that takes the courier; or
@@ -76,16 +101,17 @@ enum class Landing { refused, regular, absorbed, crossed };
 }  // namespace
 
 // From the targets over vertices on which a courier can land, until both ends of the start have been met and a little
-// further, so that small detours are measured too.
-void Courier::measure_distances(std::span<const VertexId> targets, HalfEdgeId start) {
+// further, so that small detours are measured too. Couriers cross no feature, so distances end there.
+void Courier::measure_distances(std::span<const VertexId> targets, CourierPlace start) {
   constexpr int kMargin = 2;
   const QuadMesh& m = editor_.mesh();
-  const VertexId u = m.origin(start);
-  const VertexId v = m.target(start);
+  const Sectors& sectors = editor_.sectors();
+  const VertexId u = start.u(m);
+  const VertexId v = start.v(m);
   int last = -1;  // distances beyond this one are not needed; -1: not known yet
   surroundings_.measure(
-      m, targets, [&](VertexId x) { return !editor_.is_fixed(x); },
-      [&](VertexId x) { return x == u || x == v || m.face_valence(x) == 4; },
+      m, targets, [&](VertexId x) { return sectors.may_change(x); },
+      [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); },
       [&](VertexId, int d) {
         farthest_ = d;
         if (last < 0 && surroundings_.distance(u) >= 0 && surroundings_.distance(v) >= 0) last = d + kMargin;
@@ -114,35 +140,55 @@ void Courier::go_to(int node, std::size_t base) {
 }
 
 // Queues every step that can be made from here.
-void Courier::expand(int node, HalfEdgeId courier, std::span<const VertexId> targets) {
+void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> targets, Obstacles& obstacles) {
   const QuadMesh& m = editor_.mesh();
-  const VertexId u = m.origin(courier);
-  const VertexId v = m.target(courier);
-  if (editor_.is_fixed(u) || editor_.is_fixed(v)) return;
+  const Sectors& sectors = editor_.sectors();
+  const VertexId u = courier.u(m);
+  const VertexId v = courier.v(m);
   const auto is_target = [&](VertexId x) { return std::find(targets.begin(), targets.end(), x) != targets.end(); };
-  const auto landing = [&](VertexId x, bool gains) {
-    if (!x.valid() || editor_.is_fixed(x)) return Landing::refused;
-    const int l = m.face_valence(x);
-    if (!is_target(x)) return l == 4 ? Landing::regular : Landing::refused;
-    if (gains ? l < 4 : l > 4) return Landing::absorbed;
-    return l == (gains ? 5 : 3) ? Landing::crossed : Landing::refused;
+  const auto meet = [&](VertexId x) { (m.is_boundary(x) ? obstacles.boundary : obstacles.features) = true; };
+  // `at` names the vertex and its sector; gains: it becomes the courier's v, and has one quad more.
+  const auto landing = [&](HalfEdgeId at, bool gains) {
+    if (!at.valid()) return Landing::refused;
+    const VertexId x = m.origin(at);
+    if (!sectors.may_change(x)) return meet(x), Landing::refused;
+    const int e = sectors.excess(at);
+    if (e == 0) return Landing::regular;
+    if (!is_target(x)) return obstacles.irregular = true, Landing::refused;
+    if (gains ? e < 0 : e > 0) return Landing::absorbed;
+    return !sectors.is_fixed(x) && e == (gains ? 1 : -1) ? Landing::crossed : Landing::refused;
   };
-  const int lu = m.face_valence(u);
-  const int lv = m.face_valence(v);
+  const bool keeps_u = sectors.is_fixed(u);
+  const bool cut = sectors.is_cut(courier.edge);
+  const int eu = sectors.excess(courier.at_u());
+  const int ev = sectors.excess(courier.at_v());
   for (const CourierStep step : kCourierSteps) {
     const bool collapses = step.way == CourierStep::Way::collapse;
     const bool splits = step.way == CourierStep::Way::split;
+    // On a cut edge there is one hand only.
+    if (cut && (step.hand == Hand::right) != courier.against) continue;
     // A target that was crossed takes the courier on its far side: a v2 by the collapse, a v6 by the even split.
-    const bool takes = (collapses && lu == 2 && is_target(u)) || (splits && lv == 6 && is_target(v));
-    if ((collapses && lu != 3 && !takes) || (splits && lv < 4)) continue;
+    const bool takes = (collapses && eu == -2 && is_target(u)) || (splits && ev == 2 && is_target(v));
+    if ((collapses && eu != -1 && !takes) || (splits && ev < 0)) continue;
     PlannedStep planned = plan(m, courier, step, splits && takes ? 3 : 2);
-    const Landing at_u = splits ? Landing::regular : landing(planned.next_u, false);
-    const Landing at_v = landing(planned.next_v, true);
+    const Landing at_u = splits ? Landing::regular : landing(planned.at_u, false);
+    const Landing at_v = landing(planned.at_v, true);
     if (at_u == Landing::refused || at_v == Landing::refused || planned.next_u == planned.next_v) continue;
     if (takes && (at_u != Landing::regular || at_v != Landing::regular)) continue;
-    // Vertices that were there before keep their ids, so that distances and targets stay what they are.
-    if (collapses) planned = renamed(m, planned);
-    if (editor_.why_not(planned.operation) != Refusal::none) continue;
+    if (collapses && sectors.is_cut(planned.first)) planned.next = planned.beside;
+    // Vertices that were there before keep their ids, so that distances and targets stay what they are. But a collapse
+    // at a fixed u takes a regular vertex into it, and the next v is u.
+    if (collapses && keeps_u) {
+      if (at_v != Landing::regular || sectors.is_fixed(planned.next_v)) continue;
+      planned.next_v = u;
+    } else if (collapses) {
+      planned = renamed(m, planned);
+    }
+    if (const Refusal refusal = editor_.why_not(planned.operation); refusal != Refusal::none) {
+      obstacles.features |= refusal == Refusal::breaks_feature;
+      obstacles.boundary |= refusal == Refusal::boundary_corner || refusal == Refusal::boundary_edge;
+      continue;
+    }
     VertexId absorbed_by;
     if (at_u == Landing::absorbed) absorbed_by = planned.next_u;
     if (at_v == Landing::absorbed) absorbed_by = planned.next_v;
@@ -153,7 +199,7 @@ void Courier::expand(int node, HalfEdgeId courier, std::span<const VertexId> tar
     const int crossings = here.crossings + (at_u == Landing::crossed ? 1 : 0) + (at_v == Landing::crossed ? 1 : 0);
     if (crossings > most_crossings_) continue;
     const std::int64_t key =
-        4 * static_cast<std::int64_t>(planned.edge.index()) + 2 * crossings + (planned.reversed ? 1 : 0);
+        4 * static_cast<std::int64_t>(planned.next.edge.index()) + 2 * crossings + (planned.next.against ? 1 : 0);
     if (!absorbed && !seen_.insert(key).second) continue;
     const int depth = here.depth + 1;
     const int rest =
@@ -163,9 +209,17 @@ void Courier::expand(int node, HalfEdgeId courier, std::span<const VertexId> tar
   }
 }
 
-Transport Courier::carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross,
+Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, bool may_cross,
                          std::int64_t most_states) {
+  const QuadMesh& m = editor_.mesh();
+  const Sectors& sectors = editor_.sectors();
   Transport result;
+  result.refusal = Refusal::no_way;
+  for (const VertexId x : {start.u(m), start.v(m)}) {
+    if (!sectors.may_change(x)) (m.is_boundary(x) ? result.obstacles.boundary : result.obstacles.features) = true;
+  }
+  if (!to_string(result.obstacles).empty()) return result;
+
   const std::size_t base = editor_.mark();
   most_crossings_ = may_cross ? 1 : 0;
   nodes_.assign(1, Node{});
@@ -174,24 +228,25 @@ Transport Courier::carry(HalfEdgeId start, std::span<const VertexId> targets, bo
   seen_.clear();
   measure_distances(targets, start);
   const auto met = [this](VertexId v) { return surroundings_.distance(v) >= 0; };
-  if (met(editor_.mesh().origin(start)) || met(editor_.mesh().target(start))) open_.push({0, 0, 0});
+  if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0});
   while (!open_.empty() && result.states < most_states) {
     const int node = open_.top().node;
     open_.pop();
     ++result.states;
     go_to(node, base);
     const Node& here = nodes_[static_cast<std::size_t>(node)];
-    const HalfEdgeId courier = node == 0 ? start : here.step.courier(editor_.mesh());
+    const CourierPlace courier = node == 0 ? start : here.step.next;
     if (here.absorbed) {
+      result.refusal = Refusal::none;
       result.courier = courier;
       result.absorbed_by = here.absorbed_by;
       result.steps = here.depth;
       return result;
     }
-    expand(node, courier, targets);
+    expand(node, courier, targets, result.obstacles);
   }
+  result.obstacles.limit = !open_.empty();
   editor_.roll_back(base);
-  result.refusal = Refusal::no_way;
   return result;
 }
 

@@ -26,12 +26,17 @@
 //         lowers that of the next u by one and raises that of the next v by one, and changes no other. A collapse needs
 //         l(u) = 3 for that.
 // Law C2. So a journey over regular vertices leaves nothing but regular vertices behind.
+//
+// On features and boundaries "regular" means as many quads as the sector should have, and a v3 or v5 is a sector with
+// one less or one more (sectors.hpp): so a vertex that a feature holds can send and take couriers too, and keeps its
+// place and its id. A courier on a cut edge is on one side of it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <queue>
 #include <span>
+#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -56,26 +61,59 @@ inline constexpr std::array<CourierStep, 6> kCourierSteps{{{CourierStep::Way::co
                                                            {CourierStep::Way::split, Hand::right}}};
 const char* name(CourierStep::Way way);  // "collapse", ...
 
+// Where a courier is: on an edge, and in the patch of one of the edge's faces. It runs along `edge` or against it.
+struct CourierPlace {
+  HalfEdgeId edge;
+  bool against = false;
+
+  // Half-edges out of u and v in the courier's patch.
+  HalfEdgeId at_u() const { return against ? QuadMesh::next(edge) : edge; }
+  HalfEdgeId at_v() const { return against ? edge : QuadMesh::next(edge); }
+  VertexId u(const QuadMesh& mesh) const { return mesh.origin(at_u()); }
+  VertexId v(const QuadMesh& mesh) const { return mesh.origin(at_v()); }
+  // The half-edges u -> v, with the face on the left hand, and v -> u; none beyond the boundary.
+  HalfEdgeId forth(const QuadMesh& mesh) const { return against ? mesh.twin(edge) : edge; }
+  HalfEdgeId back(const QuadMesh& mesh) const { return against ? edge : mesh.twin(edge); }
+};
+
 // A step as the operation that makes it, on the mesh as it is before.
 struct PlannedStep {
   BasicOperation operation;
   VertexId next_u;  // none for a split, which makes it
   VertexId next_v;
-  HalfEdgeId edge;        // after the operation, the courier is this half-edge,
-  bool reversed = false;  // or its twin
-
-  HalfEdgeId courier(const QuadMesh& after) const { return reversed ? after.twin(edge) : edge; }
+  // Half-edges out of them before the operation, in the sectors that it changes; none where there is no such vertex.
+  HalfEdgeId at_u;
+  HalfEdgeId at_v;
+  CourierPlace next;  // after the operation
+  // Of a collapse, which lays two edges on one: whether `next` is in the patch beyond the first depends on whether that
+  // is a cut edge. If it is, the courier's place is `beside`, in the patch beyond the second edge.
+  HalfEdgeId first;
+  CourierPlace beside;
 };
-// Precondition: both ends of the courier are interior. `turn` counts edges of v from u on the step's hand to z (split
-// only; 1 <= turn < l(v)).
-PlannedStep plan(const QuadMesh& mesh, HalfEdgeId courier, CourierStep step, int turn = 2);
+// Precondition: the courier's face on the step's hand exists. `turn` counts edges of v from u on that hand to z (split
+// only; 1 <= turn < l(v)). Where the boundary cuts off what the step needs, its operation has no half-edge and is
+// illegal.
+PlannedStep plan(const QuadMesh& mesh, CourierPlace courier, CourierStep step, int turn = 2);
 // The same step with the other choice of the vertex that keeps its id: in a collapse c in place of u, in a split the
 // other part of v. The meshes differ by names only.
 PlannedStep renamed(const QuadMesh& mesh, const PlannedStep& step);
 
+// What kept couriers from places where they might have gone on.
+struct Obstacles {
+  bool features = false;
+  bool boundary = false;
+  bool irregular = false;  // irregular vertices that are no targets
+  bool limit = false;      // the search was cut off
+
+  Obstacles& operator|=(const Obstacles& o);
+};
+// "features, the boundary"; "" if there are none.
+std::string to_string(const Obstacles& obstacles);
+
 struct Transport {
   Refusal refusal = Refusal::none;  // no_way: there is no path, or none within the limit
-  HalfEdgeId courier;               // where it was absorbed; u or v of it is the vertex that moved
+  Obstacles obstacles;              // met on the search, whether it was refused or not
+  CourierPlace courier;             // where it was absorbed; u or v of it is the vertex that moved
   VertexId absorbed_by;             // that vertex, before it moved; its id still exists
   int steps = 0;
   std::int64_t states = 0;  // places of the courier that were looked at
@@ -91,9 +129,10 @@ class Courier {
  public:
   explicit Courier(Editor& editor) : editor_(editor) {}
 
-  // Carries the courier from `start` until one of the targets absorbs it. Never changes the valence of a fixed vertex,
-  // nor that of any irregular vertex but the targets, one of which it may cross. On refusal the mesh is as before.
-  Transport carry(HalfEdgeId start, std::span<const VertexId> targets, bool may_cross = true,
+  // Carries the courier from `start` until one of the targets absorbs it. Changes no fixed vertex but as the editor's
+  // sector plan allows, nor any irregular vertex but the targets, one of which it may cross. On refusal the mesh is as
+  // before.
+  Transport carry(CourierPlace start, std::span<const VertexId> targets, bool may_cross = true,
                   std::int64_t most_states = 4000);
 
  private:
@@ -115,10 +154,10 @@ class Courier {
     }
   };
 
-  void measure_distances(std::span<const VertexId> targets, HalfEdgeId start);
+  void measure_distances(std::span<const VertexId> targets, CourierPlace start);
   int distance(VertexId v) const;  // to the nearest target, at most farthest_ + 1
   void go_to(int node, std::size_t base);
-  void expand(int node, HalfEdgeId courier, std::span<const VertexId> targets);
+  void expand(int node, CourierPlace courier, std::span<const VertexId> targets, Obstacles& obstacles);
 
   Editor& editor_;
   std::vector<Node> nodes_;

@@ -27,7 +27,7 @@ int apply(const Options& options) {
   Session session(options, "apply", std::move(input));
   const mesh::Replay result = mesh::replay(session.editor(), script);
   if (result.refusal != mesh::Refusal::none)
-    return session.report_refusal(words[1] + ":" + std::to_string(result.line), result.refusal);
+    return session.refused(words[1] + ":" + std::to_string(result.line), result.refusal);
   const auto edits = static_cast<int>(script.changes.size());
   return session.done({{"edits", edits}, {"undone", undo}},
                       counted(edits, "edit", "edits") + (undo ? " undone\n" : " made\n"));

@@ -23,6 +23,7 @@ struct Command {
 Command info_command();
 Command smooth_command();
 Command subdivide_command();
+Command atomic_command();
 Command moves_command();
 Command move_command();
 Command cancel_command();

@@ -7,6 +7,7 @@
 
 #include "mesh/diagnosis.hpp"
 #include "mesh/edit_command.hpp"
+#include "mesh/separatrix.hpp"
 
 namespace requad::edit {
 
@@ -89,6 +90,17 @@ int info(const Options& options) {
     text += counted(static_cast<int>(edges.size()), "feature edge", "feature edges") + ", " +
             counted(corners, "corner", "corners") + "\n";
   }
+  if (options.has("list")) {
+    json["irregular"] = ordered_json::array();
+    text += "irregular vertices, by their numbers in the file:";
+    for (const mesh::VertexId v : mesh::irregular_vertices(surface.mesh)) {
+      const int number = surface.file_vertex[v.slot()] + 1;
+      const int valence = surface.mesh.valence(v);
+      json["irregular"].push_back({{"vertex", number}, {"valence", valence}});
+      text += " " + std::to_string(number) + " (v" + std::to_string(valence) + ")";
+    }
+    text += "\n";
+  }
   program::finish(options, json.dump(), text);
   return program::kDone;
 }
@@ -98,14 +110,16 @@ int info(const Options& options) {
 Command info_command() {
   return {
       "info",
-      "  requad-edit info IN [--subdivide] [--feature-angle DEG | --features FILE]\n"
+      "  requad-edit info IN [--list] [--subdivide] [--feature-angle DEG | --features FILE]\n"
       "      size, topology, irregular vertices and the quality of the quads; the genus of several components is "
       "their\n"
       "      sum; valences are those of interior vertices, a boundary vertex with q quads has turn 2 - q;\n"
       "      --feature-angle counts the edges at which normals differ by DEG degrees or more, --features those that a\n"
-      "      file lists: two vertices in a line, or `l` lines of OBJ, counted from 1\n",
+      "      file lists: two vertices in a line, or `l` lines of OBJ, counted from 1; --list names the irregular "
+      "vertices\n"
+      "      inside the mesh, by their numbers in IN\n",
       {"requad-edit info bunny.obj", "requad-edit info triangles.off --subdivide --json -"},
-      {{"subdivide"}, {"feature-angle", "features"}, {}},
+      {{"subdivide", "list"}, {"feature-angle", "features"}, {}},
       info};
 }
 

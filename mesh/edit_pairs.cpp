@@ -62,7 +62,7 @@ Way try_courier(Session& session, mesh::Courier& courier, VertexId from, VertexI
   const int faces = m.face_count();
   Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(m.target(edge))), "",
           Refusal::none, 0, 0};
-  const mesh::Transport journey = courier.carry(m.face_valence(from) == 3 ? edge : m.twin(edge), std::array{to});
+  const mesh::Transport journey = courier.carry({edge, m.face_valence(from) != 3}, std::array{to});
   way.refusal = journey.refusal;
   if (way.refusal != Refusal::none) return way;
   way.operations = journey.steps;
@@ -120,7 +120,7 @@ int moves(const Options& options) {
             "\n";
     return false;
   });
-  if (refusal != Refusal::none) return session.report_refusal(and_(session, a, b), refusal);
+  if (refusal != Refusal::none) return session.refused(and_(session, a, b), refusal);
   program::finish(options, ordered_json{{"moves", list}}.dump(), text);
   return program::kDone;
 }
@@ -141,9 +141,9 @@ int move(const Options& options) {
     found = true;
     return way.refusal == Refusal::none;
   });
-  if (refusal != Refusal::none) return session.report_refusal(wish, refusal);
+  if (refusal != Refusal::none) return session.refused(wish, refusal);
   if (!found) throw UsageError("move: '" + wanted + "' is no step of this pair; `requad-edit moves` lists them");
-  if (made.refusal != Refusal::none) return session.report_refusal(wish, made.refusal);
+  if (made.refusal != Refusal::none) return session.refused(wish, made.refusal);
   session.smooth_since(mark);
   return session.done(
       {{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces}},
@@ -158,7 +158,7 @@ int cancel(const Options& options) {
   output_path(options, "cancel");
   auto [three, five] = pair_of(session, "cancel");
   const QuadMesh& m = session.mesh();
-  if (m.valence(three) > m.valence(five)) std::swap(three, five);
+  if (!session.editor().sectors().lacks(three)) std::swap(three, five);
   const std::string wish = and_(session, three, five);
   std::vector<VertexId> helpers;
   for (const std::string& word : options.list("with")) {
@@ -167,17 +167,14 @@ int cancel(const Options& options) {
       throw UsageError("cancel: --with " + word + " is one of the pair");
   }
   mesh::Surroundings around;
-  const auto third = [&, a = three, b = five](VertexId v) { return v != a && v != b && m.face_valence(v) != 4; };
-  if (helpers.empty()) helpers = nearest(session.editor(), around, three, kHelpers, third);
-  const auto attempt = [&, a = three, b = five](Editor& editor) {
-    mesh::Courier courier(editor);
-    return mesh::cancel_pair(editor, courier, a, b, helpers);
+  const auto third = [&, a = three, b = five](VertexId v) {
+    return v != a && v != b && session.editor().sectors().is_irregular(v);
   };
+  if (helpers.empty()) helpers = nearest(session.editor(), around, three, kHelpers, third);
+  mesh::Courier courier(session.editor());
   const std::size_t mark = session.editor().mark();
-  const mesh::Cancellation result = attempt(session.editor());
-  if (result.refusal != Refusal::none) {
-    return session.refused(wish, result.refusal, [&](Editor& free) { return attempt(free).refusal; });
-  }
+  const mesh::Cancellation result = mesh::cancel_pair(session.editor(), courier, three, five, helpers);
+  if (result.refusal != Refusal::none) return session.refused(wish, result.refusal, result.obstacles);
   session.smooth_since(mark);
   ordered_json moved = ordered_json::array();
   std::string where;
@@ -199,10 +196,7 @@ int change_pair(const Options& options, const std::string& command, Operation&& 
   const std::string wish = and_(session, a, b);
   const std::size_t mark = session.editor().mark();
   const mesh::PairResult result = operation(session.editor(), a, b);
-  if (result.refusal != Refusal::none) {
-    return session.refused(wish, result.refusal,
-                           [&, v1 = a, v2 = b](Editor& free) { return operation(free, v1, v2).refusal; });
-  }
+  if (result.refusal != Refusal::none) return session.refused(wish, result.refusal);
   session.smooth_since(mark);
   const mesh::PairFrame& f = result.frame;
   const std::string now = f.v1 == f.v2 ? session.describe(f.v1) : and_(session, f.v1, f.v2);
@@ -227,7 +221,7 @@ int part(const Options& options) {
     const VertexId v = session.vertex(words[1]);
     const std::string wish = session.describe(v);
     if (const Refusal refusal = mesh::part_vertex(session.editor(), v); refusal != Refusal::none) {
-      return session.report_refusal(wish, refusal);
+      return session.refused(wish, refusal);
     }
   } else {
     made = mesh::part_all(session.editor());

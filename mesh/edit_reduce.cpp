@@ -20,7 +20,9 @@ using program::UsageError;
 // Why it ends where it ends.
 std::string ending(const mesh::ReduceReport& report, int until) {
   if (report.minimal)
-    return "no v3 is left beside a v5: the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
+    return "nothing of opposite index is left within a patch of the surface: there the sum of 4 - l(v) is fixed "
+           "(discrete "
+           "Gauss-Bonnet)";
   if (report.after <= until) return "--until is reached";
   std::string text = "what is left can not be cancelled here";
   for (const auto& [refusal, count] : report.refusals)
@@ -46,9 +48,11 @@ int reduce(const Options& options) {
   how.surface = &session.surface();
   const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
   if (deviation >= 0) how.max_deviation = deviation * diagonal;
-  const auto count = mesh::diagnose(session.mesh(), session.positions()).interior_irregular;
+  const std::vector<mesh::VertexId> all = session.mesh().vertices();
+  const auto is_irregular = [&](mesh::VertexId v) { return session.editor().sectors().is_irregular(v); };
+  const auto count = std::count_if(all.begin(), all.end(), is_irregular);
   program::Progress progress("irregular vertices less", count, options.quiet());
-  int last = count;
+  int last = static_cast<int>(count);
   how.progress = [&](int irregular) {
     progress.advance(std::max(0, last - irregular));
     last = std::min(last, irregular);
@@ -59,17 +63,14 @@ int reduce(const Options& options) {
   const double hausdorff = mesh::hausdorff_distance({session.mesh(), session.positions()},
                                                     {session.input().mesh, session.input().positions}) /
                            diagonal;
-  std::map<int, int> valences;
-  for (const mesh::VertexId v : session.mesh().vertices()) {
-    const int l = session.mesh().valence(v);
-    if (!session.mesh().is_boundary(v) && l != 4) ++valences[l];
-  }
   ordered_json left = ordered_json::object();
   std::string kinds;
-  for (const auto& [l, n] : valences) {
+  for (const auto& [l, n] : mesh::diagnose(session.mesh(), session.positions()).valences) {
+    if (l == 4) continue;
     left[std::to_string(l)] = n;
     kinds += (kinds.empty() ? "" : " ") + std::to_string(n) + " v" + std::to_string(l);
   }
+  const std::string beside = session.features().empty() ? "" : " beside those that features ask for";
   const std::string why = ending(report, how.until);
   char measured[64];
   std::snprintf(measured, sizeof measured, "%.4f", hausdorff);
@@ -83,9 +84,10 @@ int reduce(const Options& options) {
                        {"ended", why},
                        {"feature_edges", session.features().size()},
                        {"hausdorff", hausdorff}},
-                      std::to_string(report.before) + " irregular vertices became " + std::to_string(report.after) +
-                          (kinds.empty() ? "" : " (" + kinds + ")") + " by " +
-                          counted(report.cancelled, "cancellation", "cancellations") + "\n" + why +
+                      std::to_string(report.before) + " irregular vertices" + beside + " became " +
+                          std::to_string(report.after) + " by " +
+                          counted(report.cancelled, "cancellation", "cancellations") +
+                          "; inside the mesh there are now " + (kinds.empty() ? "none" : kinds) + "\n" + why +
                           "\nHausdorff distance from the input, over the diagonal: " + measured + "\n");
 }
 

@@ -71,10 +71,11 @@ Session::Session(const Options& options, std::string command, mesh::Surface inpu
     : options_(options),
       command_(std::move(command)),
       input_(std::move(input)),
-      editor_(mesh_, &features_, &positions_) {
+      editor_(mesh_, &features_, &positions_, &plan_) {
   mesh_ = input_.mesh;
   positions_ = input_.positions;
   for (const auto& [a, b] : read_features(options, input_)) features_.insert(a, b);
+  plan_ = mesh::plan_by_angles(mesh_, features_, positions_);
 }
 
 const mesh::SurfaceIndex& Session::surface() {
@@ -135,8 +136,10 @@ int Session::done(ordered_json summary, const std::string& text) {
   return program::kDone;
 }
 
-int Session::report_refusal(const std::string& wish, mesh::Refusal why) {
-  std::cerr << "requad-edit: " << command_ << ": " << wish << ": " << mesh::explain(why) << '\n';
+int Session::refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles) {
+  const std::string met = why == mesh::Refusal::no_way ? to_string(obstacles) : "";
+  std::cerr << "requad-edit: " << command_ << ": " << wish << ": " << mesh::explain(why)
+            << (met.empty() ? "" : "; in the way: " + met) << '\n';
   return program::kCheckFailed;
 }
 

@@ -51,19 +51,8 @@ class Session {
   // The end of an edit that was made: writes --script, --map and at last -o, so that no result is without what was
   // asked for beside it; reports. `summary` gets the sizes before and after.
   int done(nlohmann::ordered_json summary, const std::string& text);
-  // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written. If
-  // the features alone are in the way, it says so: `without_features` tries again on a copy that has none.
-  template <class Try>
-  int refused(const std::string& wish, mesh::Refusal why, Try&& without_features) {
-    bool features_only = false;
-    if (why == mesh::Refusal::no_way && !features_.empty()) {
-      mesh::QuadMesh copy = mesh_;
-      mesh::Editor free(copy);
-      features_only = without_features(free) == mesh::Refusal::none;
-    }
-    return report_refusal(wish, features_only ? mesh::Refusal::breaks_feature : why);
-  }
-  int report_refusal(const std::string& wish, mesh::Refusal why);
+  // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written.
+  int refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles = {});
 
  private:
   const program::Options& options_;
@@ -72,6 +61,7 @@ class Session {
   mesh::QuadMesh mesh_;
   mesh::Positions positions_;
   mesh::FeatureSet features_;
+  mesh::SectorPlan plan_;
   mesh::Editor editor_;
   std::optional<mesh::SurfaceIndex> surface_;
   mesh::Surroundings surroundings_;

@@ -21,8 +21,8 @@ FaceId Edit::made_face() const {
   return QuadMesh::face(inverse.h);
 }
 
-Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions)
-    : mesh_(mesh), features_(features), positions_(positions) {
+Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions, const SectorPlan* plan)
+    : mesh_(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
   if (positions_ != nullptr)
     positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
 }

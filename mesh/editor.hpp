@@ -22,6 +22,7 @@
 
 #include "mesh/features.hpp"
 #include "mesh/geometry.hpp"
+#include "mesh/sectors.hpp"
 
 namespace requad::mesh {
 
@@ -49,14 +50,16 @@ struct Edit {
 
 class Editor {
  public:
-  // The mesh must outlive the editor, and so must features and positions (both optional: null). `positions` has an
+  // The mesh must outlive the editor, and so must features, positions and plan (optional: null). `positions` has an
   // entry for every vertex slot and grows with the mesh.
-  explicit Editor(QuadMesh& mesh, const FeatureSet* features = nullptr, Positions* positions = nullptr);
+  // Without a sector plan, couriers leave the valences of fixed vertices alone (sectors.hpp).
+  explicit Editor(QuadMesh& mesh, const FeatureSet* features = nullptr, Positions* positions = nullptr,
+                  const SectorPlan* plan = nullptr);
 
   const QuadMesh& mesh() const { return mesh_; }
   const Positions* positions() const { return positions_; }
-  bool is_fixed(VertexId v) const { return mesh_.is_boundary(v) || is_feature(v); }
-  bool is_feature(VertexId v) const { return features_ != nullptr && features_->is_vertex(v); }
+  const Sectors& sectors() const { return sectors_; }
+  bool is_fixed(VertexId v) const { return sectors_.is_fixed(v); }
 
   // Whether the operation is legal and keeps the features.
   Refusal why_not(const BasicOperation& operation) const;
@@ -96,6 +99,7 @@ class Editor {
   QuadMesh& mesh_;
   const FeatureSet* features_;
   Positions* positions_;
+  Sectors sectors_;
   std::vector<Edit> edits_;
 };
 

@@ -28,7 +28,7 @@ Footprint footprint_since(const Editor& editor, Surroundings& around, std::size_
 }
 
 void smooth_edit(Editor& editor, std::span<const VertexId> vertices, SmoothingOptions how) {
-  how.fixed = [&editor](VertexId v) { return editor.is_feature(v); };
+  how.fixed = [&editor](VertexId v) { return editor.sectors().is_feature(v); };
   editor.rearrange(vertices, [&](Positions& positions) { smooth(editor.mesh(), positions, vertices, how); });
 }
 

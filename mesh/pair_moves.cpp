@@ -62,9 +62,9 @@ class Passage {
   }
 
   // Places the courier: h runs from its v3 (or what plays it) to its v5.
-  void start(HalfEdgeId h) { at_ = h; }
-  VertexId v3() const { return m_.origin(at_); }
-  VertexId v5() const { return m_.target(at_); }
+  void start(HalfEdgeId h) { at_ = {h}; }
+  VertexId v3() const { return at_.u(m_); }
+  VertexId v5() const { return at_.v(m_); }
 
   void split(Hand hand, int times = 1, int turn = 2) { step({CourierStep::Way::split, hand}, times, turn); }
   void collapse(Hand hand, int times = 1) { step({CourierStep::Way::collapse, hand}, times); }
@@ -118,12 +118,12 @@ class Passage {
   void step(CourierStep step, int times, int turn = 2) {
     for (int i = 0; i < times && !refused(); ++i) {
       // Both ends of the courier must be interior for a step to find its half-edges.
-      if (!at_.valid() || m_.is_boundary(v3()) || m_.is_boundary(v5())) {
+      if (!at_.edge.valid() || m_.is_boundary(v3()) || m_.is_boundary(v5())) {
         refuse(Refusal::touches_boundary);
         return;
       }
       const PlannedStep planned = plan(m_, at_, step, turn);
-      if (run(planned.operation)) at_ = planned.courier(m_);
+      if (run(planned.operation)) at_ = planned.next;
     }
   }
 
@@ -131,7 +131,7 @@ class Passage {
   const QuadMesh& m_;
   std::size_t start_;
   Refusal refusal_ = Refusal::none;
-  HalfEdgeId at_;
+  CourierPlace at_;
   std::unordered_set<VertexId> changed_;  // what this move may find irregular: the pair, and what it changed itself
 };
 

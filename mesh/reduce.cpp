@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/footprint.hpp"
+#include "mesh/untangling.hpp"
 
 namespace requad::mesh {
 
@@ -38,12 +39,14 @@ class Reducer {
 
   ReduceReport run() {
     report_.before = count_irregular();
-    // Where nothing is to be cancelled, parting would only make more of them.
-    if (!is_minimal()) report_.parted = part_all(editor_);
-    values_.resize(static_cast<std::size_t>(m_.vertex_capacity()));
-    irregular_.resize(static_cast<std::size_t>(m_.vertex_capacity()));
-    for (const VertexId v : m_.vertices()) remember(v);
+    report_.after = report_.before;
     for (bool progress = true; progress && report_.after > options_.until;) {
+      // Where nothing is to be cancelled, parting would only make more of them.
+      if (!editor_.sectors().is_minimal()) report_.parted += part_all(editor_);
+      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), 0);
+      irregular_.assign(values_.size(), false);
+      report_.after = 0;
+      for (const VertexId v : m_.vertices()) remember(v);
       // Everything is tried afresh as long as that leads on: what was refused once may have become possible.
       progress = false;
       report_.refusals.clear();
@@ -58,29 +61,20 @@ class Reducer {
     }
     smoothing_.iterations = options_.final_iterations;
     smooth_edit(editor_, m_.vertices(), smoothing_);
-    report_.minimal = is_minimal();
+    if (options_.final_iterations > 0) untangle(editor_, smoothing_);
+    report_.minimal = editor_.sectors().is_minimal();
     return report_;
   }
 
  private:
-  bool is_three(VertexId v) const { return m_.is_live(v) && !editor_.is_fixed(v) && m_.face_valence(v) <= 3; }
-  bool is_five(VertexId v) const { return m_.is_live(v) && !editor_.is_fixed(v) && m_.face_valence(v) >= 5; }
+  bool is_three(VertexId v) const { return m_.is_live(v) && editor_.sectors().lacks(v); }
+  bool is_five(VertexId v) const { return m_.is_live(v) && editor_.sectors().exceeds(v); }
+  bool is_irregular(VertexId v) const { return editor_.sectors().is_irregular(v); }
   const Positions& positions() const { return *editor_.positions(); }
 
-  bool is_irregular(VertexId v) const { return !m_.is_boundary(v) && m_.face_valence(v) != 4; }
   int count_irregular() const {
     const std::vector<VertexId> all = m_.vertices();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [this](VertexId v) { return is_irregular(v); }));
-  }
-
-  bool is_minimal() const {
-    bool low = false, high = false;
-    for (const VertexId v : m_.vertices()) {
-      if (m_.is_boundary(v)) continue;
-      low = low || m_.face_valence(v) < 4;
-      high = high || m_.face_valence(v) > 4;
-    }
-    return !low || !high;
   }
 
   // Pairs of v with its nearest partners of opposite index.
@@ -88,7 +82,8 @@ class Reducer {
     if (is_three(v)) {
       for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_five(x); }))
         add(v, w);
-    } else if (is_five(v)) {
+    }
+    if (is_five(v)) {
       for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_three(x); }))
         add(w, v);
     }

@@ -6,11 +6,10 @@
 // each cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may
 // have changed is measured again when its turn comes.
 //
-// Law R1. The mesh is valid, and features and boundary are untouched, after every cancellation.
-// Law R2. Each cancellation lowers the sum of |4 - l(v)| over interior vertices by two or more. So the end comes, at
-// the
-//         least when all indices have one sign, where discrete Gauss-Bonnet leaves nothing to cancel: eight v3s on a
-//         sphere, 8 (g - 1) v5s at genus g > 1.
+// Law R1. The mesh is valid, and every cut edge (sectors.hpp) is there with its place, after every cancellation.
+// Law R2. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the end comes, at the least
+//         when the excesses of each patch have one sign, where discrete Gauss-Bonnet leaves nothing to cancel: without
+//         features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
 // Law R3. The result depends on the mesh and the options alone.
 //
 // Costs: for each candidate the length of the couriers' journeys and the area smoothed; no term in the size of the mesh
@@ -39,19 +38,19 @@ struct ReduceOptions {
   double max_deviation = -1;                    // of a changed face's centre from the surface, in its units; < 0: none
   const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
   int smoothing_iterations = 4;                 // after each cancellation, over what changed and two rings more
-  int final_iterations = 30;                    // over the whole mesh, in the end
+  int final_iterations = 30;                    // over the whole mesh, in the end; then untangling, unless 0
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 
 struct ReduceReport {
-  int before = 0;  // irregular vertices, interior
+  int before = 0;  // irregular vertices (Sectors::is_irregular)
   int after = 0;
   int parted = 0;     // operations that parted vertices of valence 2 or more than 5
   int cancelled = 0;  // cancellations
   int couriers = 0;
   int operations = 0;
   int measured = 0;                 // cancellations made to measure their cost
-  bool minimal = false;             // nothing of opposite index is left
+  bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
   int too_far = 0;                  // of these, cancellations that max_deviation refused
 };

@@ -14,23 +14,12 @@
 
 using namespace requad;
 using namespace requad::mesh;
+using requad::tests::irregular_valences;
 using requad::tests::random_operation;
+using requad::tests::random_positions;
 using requad::tests::sides;
 
 namespace {
-
-Positions random_positions(const QuadMesh& m, std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  Positions result;
-  for (int v = 0; v < m.vertex_capacity(); ++v) result.push_back({unit(random), unit(random), unit(random)});
-  return result;
-}
-
-std::map<int, int> irregular_valences(const QuadMesh& m) {
-  std::map<int, int> result;
-  for (const VertexId v : irregular_vertices(m)) ++result[m.valence(v)];
-  return result;
-}
 
 const theory::Configuration kHexagonStart{{2, 2, theory::IntegerVector::Constant(6, 2)}, 1};
 
@@ -112,17 +101,17 @@ TEST_CASE("Law C1: a step changes the valences of both places of the courier and
     for (const bool other_names : {false, true}) {
       INFO(name(step.way) << (step.hand == Hand::left ? " left" : " right"));
       QuadMesh m = start.mesh;
-      PlannedStep planned = plan(m, courier, step);
+      PlannedStep planned = plan(m, {courier}, step);
       if (other_names) planned = renamed(m, planned);
       REQUIRE(apply(m, planned.operation).refusal == Refusal::none);
-      const HalfEdgeId now = planned.courier(m);
+      const CourierPlace now = planned.next;
       CHECK(irregular_valences(m) == std::map<int, int>{{3, 1}, {5, 1}});
-      CHECK(m.valence(m.origin(now)) == 3);
-      CHECK(m.valence(m.target(now)) == 5);
-      if (step.way != CourierStep::Way::collapse || other_names) CHECK(m.target(now) == planned.next_v);
+      CHECK(m.valence(now.u(m)) == 3);
+      CHECK(m.valence(now.v(m)) == 5);
+      if (step.way != CourierStep::Way::collapse || other_names) CHECK(now.v(m) == planned.next_v);
       // Both choices of names make the same mesh.
       QuadMesh same = start.mesh;
-      apply(same, plan(same, courier, step).operation);
+      apply(same, plan(same, {courier}, step).operation);
       const VertexId root = start.mesh.origin(start.root);
       CHECK(signature(m, m.out(root)) == signature(same, same.out(root)));
     }
@@ -149,7 +138,8 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
       std::vector<HalfEdgeId> starts;
       m.for_each_out(pair[static_cast<std::size_t>(k)], [&](HalfEdgeId h) { starts.push_back(m.twin(h)); });
       for (const HalfEdgeId start : starts) {
-        if (courier.carry(start, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none) continue;
+        if (courier.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
+          continue;
         CHECK(validate(m).empty());
         by_couriers[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
         editor.roll_back();

@@ -1,5 +1,7 @@
 // Reducing meshes to their topological minimum, on generated and on real ones.
+#include <algorithm>
 #include <map>
+#include <random>
 
 #include <nlohmann/json.hpp>
 
@@ -7,6 +9,7 @@
 #include "mesh/polygon_file.hpp"
 #include "mesh/reduce.hpp"
 #include "mesh/separatrix.hpp"
+#include "mesh/untangling.hpp"
 #include "mesh/validate.hpp"
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
@@ -14,14 +17,9 @@
 
 using namespace requad;
 using namespace requad::mesh;
+using requad::tests::irregular_valences;
 
 namespace {
-
-std::map<int, int> irregular_valences(const QuadMesh& m) {
-  std::map<int, int> result;
-  for (const VertexId v : irregular_vertices(m)) ++result[m.valence(v)];
-  return result;
-}
 
 ReduceOptions without_smoothing() {
   ReduceOptions how;
@@ -169,4 +167,44 @@ TEST_CASE("requad-edit edits pairs, and says why not", "[programs][real]") {
   const auto listed = call("edit", "moves " + *path + " " + three + " " + five + " --json -");
   REQUIRE(listed.code == 0);
   CHECK(json::parse(listed.out)["moves"].size() >= 4);
+}
+
+TEST_CASE("Law U: folds are relaxed, and what is fixed stays", "[smoothing]") {
+  // A flat grid whose inner vertices were thrown about, with a feature across.
+  std::mt19937 random(1);
+  const Region start = tests::grid(12, 10);
+  QuadMesh m = start.mesh;
+  Positions positions(static_cast<std::size_t>(m.vertex_capacity()));
+  std::uniform_real_distribution<double> noise(-2, 2);
+  for (const VertexId v : m.vertices()) {
+    const int x = v.index() / 11, y = v.index() % 11;  // as tests::grid() numbers them
+    positions[v.slot()] = {double(x), double(y), 0};
+    if (!m.is_boundary(v) && x != 6) positions[v.slot()] += Eigen::Vector3d(noise(random), noise(random), 0);
+  }
+  FeatureSet features;
+  for (int y = 0; y < 10; ++y) features.insert(VertexId(66 + y), VertexId(67 + y));
+  const Positions before = positions;
+  const auto inverted = [&] {
+    const auto faces = m.faces();
+    return static_cast<int>(std::count_if(faces.begin(), faces.end(),
+                                          [&](FaceId f) { return is_inverted(scaled_jacobian(m, positions, f)); }));
+  };
+  const int folds = inverted();
+  REQUIRE(folds > 20);
+  Editor editor(m, &features, &positions);
+  const Untangling result = untangle(editor, {});
+  CHECK(result.before == folds);
+  CHECK(result.after == inverted());
+  CHECK(result.after == 0);
+  for (const VertexId v : m.vertices()) {
+    if (editor.is_fixed(v)) CHECK(positions[v.slot()] == before[v.slot()]);
+  }
+  // Where every vertex is fixed, there is nothing to be done, and nothing is.
+  FeatureSet all;
+  for (const HalfEdgeId h : m.half_edges()) all.insert(m.origin(h), m.target(h));
+  positions = before;
+  Editor stuck(m, &all, &positions);
+  const Untangling nothing = untangle(stuck, {});
+  CHECK(nothing.after == nothing.before);
+  CHECK(positions == before);
 }

@@ -92,7 +92,8 @@ TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
 namespace {
 
 // The number of simple quadrangulations of a polygon of 2m + 4 edges, its vertices told apart, with n vertices inside
-// (W. G. Brown, Enumeration of quadrangular dissections of the disk, 1965). n = 0: Fuss-Catalan; m = 0: OEIS A000139.
+// (W. G. Brown, Enumeration of quadrangular dissections of the disk, Canad. J. Math. 17, 1965, 302-317). n = 0:
+// Fuss-Catalan; m = 0: OEIS A000139.
 std::int64_t brown(int m, int n) {
   const auto factorial = [](int k) { return std::tgamma(static_cast<double>(k) + 1); };
   return std::llround((3 * m + 4) * (3 * m + 3) * factorial(3 * m + 3) / factorial(m + 1) / factorial(2 * m + 3) *

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "enumerate/generators.hpp"
+#include "mesh/separatrix.hpp"
 #include "mesh/validate.hpp"
 #include "verify/campaign.hpp"
 
@@ -85,20 +86,6 @@ mesh::BasicOperation renamed(const mesh::BasicOperation& op, const Relabelled& b
   result.h = by.half_edge[op.h.slot()];
   if (op.last.valid()) result.last = by.half_edge[op.last.slot()];
   return result;
-}
-
-mesh::BasicOperation random_operation(const QuadMesh& m, std::mt19937& random) {
-  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  const HalfEdgeId h(pick(m.half_edge_capacity()));
-  using Kind = mesh::BasicOperation::Kind;
-  const auto kind = static_cast<Kind>(pick(4));
-  mesh::BasicOperation op{kind, h, {}, 0};
-  if (kind == Kind::split && m.is_live(h)) {
-    std::vector<HalfEdgeId> in;
-    m.for_each_out(m.origin(h), [&](HalfEdgeId g) { in.push_back(QuadMesh::previous(g)); });
-    op.last = in[static_cast<std::size_t>(pick(static_cast<int>(in.size())))];
-  }
-  return op;
 }
 
 FaceList face_list(const QuadMesh& m) {
@@ -216,6 +203,32 @@ Region grid(int columns, int rows) {
   Region region{QuadMesh::from_faces((columns + 1) * (rows + 1), faces), {}};
   region.root = region.mesh.out(VertexId(at(0, 0)));
   return region;
+}
+
+mesh::BasicOperation random_operation(const mesh::QuadMesh& m, std::mt19937& random) {
+  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const HalfEdgeId h(pick(m.half_edge_capacity()));
+  const auto kind = static_cast<mesh::BasicOperation::Kind>(pick(4));
+  mesh::BasicOperation op{kind, h, {}, 0};
+  if (kind == mesh::BasicOperation::Kind::split && m.is_live(h)) {
+    std::vector<HalfEdgeId> in;
+    m.for_each_out(m.origin(h), [&](HalfEdgeId g) { in.push_back(QuadMesh::previous(g)); });
+    op.last = in[static_cast<std::size_t>(pick(static_cast<int>(in.size())))];
+  }
+  return op;
+}
+
+mesh::Positions random_positions(const mesh::QuadMesh& m, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  mesh::Positions result;
+  for (int v = 0; v < m.vertex_capacity(); ++v) result.push_back({unit(random), unit(random), unit(random)});
+  return result;
+}
+
+std::map<int, int> irregular_valences(const mesh::QuadMesh& m) {
+  std::map<int, int> result;
+  for (const VertexId v : mesh::irregular_vertices(m)) ++result[m.valence(v)];
+  return result;
 }
 
 }  // namespace requad::tests

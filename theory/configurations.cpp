@@ -69,6 +69,10 @@ std::string sides_problem(PairType type, const IntegerVector& sides) {
   return "";
 }
 
+void require_sides(PairType type, const IntegerVector& sides) {
+  if (const std::string problem = sides_problem(type, sides); !problem.empty()) throw std::invalid_argument(problem);
+}
+
 std::string parameters_problem(PairType type, const StripParameters& p) {
   const int k = type.side_count();
   const auto in_range = [](Integer x, Integer low) { return low <= x && x <= kMaxLength; };
@@ -122,10 +126,6 @@ IntegerVector region_sides(PairType type, const Configuration& c) {
 }
 
 namespace {
-
-void require_sides(PairType type, const IntegerVector& sides) {
-  if (const std::string problem = sides_problem(type, sides); !problem.empty()) throw std::invalid_argument(problem);
-}
 
 // The longest d that a side can hold beside two strips, over the sides that d adds to.
 Integer longest(const IntegerVector& sides, const IntegerVector& offset) {

@@ -49,6 +49,8 @@ std::string label(PairType type, const Configuration& configuration);
 // One-line reasons why there is no convex region with these sides, or "" when the sides make sense: k entries, each in
 // 1..kMaxLength, even sum (a quadrangulated disk has an even boundary).
 std::string sides_problem(PairType type, const IntegerVector& sides);
+// Throws that line as std::invalid_argument.
+void require_sides(PairType type, const IntegerVector& sides);
 // The same for parameters: d1, d2 >= 0 and not both 0, k strips, each >= 1, no length beyond kMaxLength.
 std::string parameters_problem(PairType type, const StripParameters& parameters);
 

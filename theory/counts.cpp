@@ -47,14 +47,10 @@ Integer hexagon_count(const IntegerVector& sides) {
   return twice / 2;
 }
 
-void require(PairType type, const IntegerVector& sides) {
-  if (const std::string problem = sides_problem(type, sides); !problem.empty()) throw std::invalid_argument(problem);
-}
-
 }  // namespace
 
 Integer exact_count(PairType type, const IntegerVector& sides) {
-  require(type, sides);
+  require_sides(type, sides);
   if (type == kDigon) return (sides(0) - sides(1)) % 2 == 0 ? tau_digon(sides.minCoeff()) : 0;
   if (type == kHexagon) return hexagon_count(sides);
   if (type == kQuad) return quad_count(sides).k();
@@ -62,7 +58,7 @@ Integer exact_count(PairType type, const IntegerVector& sides) {
 }
 
 Integer smallest_regular(PairType type, const IntegerVector& sides) {
-  require(type, sides);
+  require_sides(type, sides);
   if (type == kDigon) {
     // E1 + 2 s2 = L = E2 + 2 s1.
     return (sides(0) - sides(1)) % 2 == 0 ? sides.maxCoeff() : 0;

@@ -33,6 +33,11 @@ using Integer = std::int64_t;
 using IntegerVector = Eigen::Matrix<Integer, Eigen::Dynamic, 1>;
 using IntegerMatrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
 
+// The values as a vector. O(n).
+inline IntegerVector to_vector(const std::vector<Integer>& values) {
+  return IntegerVector::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 // Longest side that parameters may have: products of two lengths, and sums of a few, stay far inside 64 bits.
 inline constexpr Integer kMaxLength = 1'000'000;
 

@@ -16,12 +16,6 @@ namespace {
 using theory::Integer;
 using theory::IntegerVector;
 
-IntegerVector to_vector(const std::vector<Integer>& values) {
-  IntegerVector v(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) v(static_cast<Eigen::Index>(i)) = values[i];
-  return v;
-}
-
 // Calls visit(sides) for every sequence of k positive integers with this sum that is the least of its rotations.
 template <class Visit>
 void for_each_necklace(int k, Integer sum, Visit&& visit) {
@@ -80,7 +74,7 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
       if (perimeter % 2 != 0) continue;
       for_each_necklace(type.side_count(), perimeter, [&](const std::vector<Integer>& sides) {
         const bool equal = std::all_of(sides.begin(), sides.end(), [&](Integer x) { return x == sides[0]; });
-        if (with_regular || !equal) add(family, type, to_vector(sides));
+        if (with_regular || !equal) add(family, type, theory::to_vector(sides));
       });
     }
   };
@@ -97,7 +91,7 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
       for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min<Integer>(ranges.other_perimeter.last, 20); ++perimeter) {
         if (perimeter < valence) continue;
         for_each_necklace(valence, perimeter, [&](const std::vector<Integer>& sides) {
-          list.cases.push_back({Family::single_vertex, type, to_vector(sides)});
+          list.cases.push_back({Family::single_vertex, type, theory::to_vector(sides)});
         });
       }
     }
@@ -110,7 +104,7 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
       for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min(ranges.other_perimeter.last, largest); ++perimeter) {
         if (perimeter < k || perimeter % 2 != 0) continue;
         for_each_necklace(k, perimeter, [&](const std::vector<Integer>& sides) {
-          list.cases.push_back({Family::three_vertices, theory::PairType{k + 1, 3}, to_vector(sides), valences});
+          list.cases.push_back({Family::three_vertices, theory::PairType{k + 1, 3}, theory::to_vector(sides), valences});
         });
       }
     }

@@ -90,7 +90,7 @@ Judgement judge_detour(const Study& s) {
     for (const VertexId p : {move.move.frame.v1, move.move.frame.v2}) {
       const VertexId q = p == move.move.frame.v1 ? move.move.frame.v2 : move.move.frame.v1;
       for (const HalfEdgeId start : departures(m, p)) {
-        if (courier.carry(start, std::array{q}).refusal != Refusal::none) continue;
+        if (courier.carry({start}, std::array{q}).refusal != Refusal::none) continue;
         const std::string result = signature_of(node.region, m);
         const bool kept = holds_edge(m, *edge);
         arrived = arrived || result == s.found.nodes[static_cast<std::size_t>(move.to)].signature;

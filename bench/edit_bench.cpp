@@ -1,0 +1,207 @@
+// What single edits cost on meshes of ten thousand, a hundred thousand and a million quads: whether editing stays
+// interactive. The same edit in the middle of meshes of different sizes, then on one size over longer and longer paths.
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "enumerate/generators.hpp"
+#include "mesh/atomic_operations.hpp"
+#include "mesh/complementary.hpp"
+#include "mesh/separatrix.hpp"
+
+namespace {
+
+using namespace requad;
+using mesh::HalfEdgeId;
+using mesh::QuadMesh;
+using mesh::VertexId;
+
+constexpr std::int64_t kPath = 8;         // where the size of the mesh is what changes
+constexpr std::int64_t kQuads = 100'000;  // where the path is
+
+// A mesh with the editor of an interactive program: positions are kept in step.
+struct Scene {
+  explicit Scene(QuadMesh m)
+      : mesh(std::move(m)),
+        positions(static_cast<std::size_t>(mesh.vertex_capacity()), Eigen::Vector3d::Zero()),
+        editor(mesh, nullptr, &positions) {}
+
+  QuadMesh mesh;
+  mesh::Positions positions;
+  mesh::Editor editor;
+};
+
+// A digon of about this many quads whose two v3s span d x d quads in the middle: d^2 + 4 d e + 2 e^2 quads.
+QuadMesh digon(std::int64_t quads, std::int64_t d) {
+  const auto strips = static_cast<std::int64_t>(std::sqrt(static_cast<double>(quads + d * d) / 2)) - d;
+  return enumerate::glue_region(theory::kDigon, {{d, d, theory::IntegerVector::Constant(2, strips)}, 1}).mesh;
+}
+
+// A region of about this many quads round one v3, which then moves and sends the adjacent 3-5 pair that it leaves
+// `steps` steps away, all in a line: 3, and 3-5 at a distance.
+struct ThreeVertices {
+  Scene scene;
+  VertexId alone;
+  VertexId three;
+  VertexId five;
+
+  ThreeVertices(std::int64_t quads, std::int64_t steps)
+      : scene(enumerate::glue_region({4, 3}, {{0, 0, theory::IntegerVector::Constant(3, side(quads))}, 1}).mesh) {
+    mesh::Editor& editor = scene.editor;
+    const VertexId start = mesh::irregular_vertices(scene.mesh)[0];
+    const HalfEdgeId along = scene.mesh.out(start);
+    alone = scene.mesh.target(along);
+    mesh::AtomicReport made = perform(editor, {*mesh::parse_atomic_name("move-v3 flip left"), along});
+    for (std::int64_t i = 1; i < steps; ++i) {
+      // The inverse lies along the pair as it is now.
+      made = perform(editor, {*mesh::parse_atomic_name("move-35 flip left"), made.inverse.along});
+    }
+    three = scene.mesh.origin(made.inverse.along);
+    five = scene.mesh.target(made.inverse.along);
+    editor.forget();
+  }
+
+ private:
+  static std::int64_t side(std::int64_t quads) { return std::llround(std::sqrt(static_cast<double>(quads) / 3)); }
+};
+
+void three_sizes(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"quads", "path"});
+  for (const std::int64_t quads : {10'000, 100'000, 1'000'000}) b->Args({quads, kPath});
+}
+void longer_paths(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"quads", "path"});
+  for (std::int64_t path = 4; path <= 64; path *= 2) b->Args({kQuads, path});
+}
+
+void count_quads(benchmark::State& state, const QuadMesh& m) {
+  state.counters["quads"] = static_cast<double>(m.face_count());
+}
+
+// How long does an atomic operation and its inverse take?
+void atomic_move_and_back(benchmark::State& state) {
+  Scene scene(digon(state.range(0), kPath));
+  const HalfEdgeId along = scene.mesh.out(mesh::irregular_vertices(scene.mesh)[0]);
+  const mesh::AtomicName name = *mesh::parse_atomic_name("move-v3 collapse left");
+  mesh::AtomicOperation there{name, along};
+  for (auto _ : state) {
+    const mesh::AtomicReport made = perform(scene.editor, there);
+    const mesh::AtomicReport back = perform(scene.editor, made.inverse);
+    if (back.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    there = back.inverse;
+    scene.editor.forget();
+  }
+  count_quads(state, scene.mesh);
+}
+BENCHMARK(atomic_move_and_back)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
+
+// How long does a pair move and its inverse take, of a 3-3 pair that spans d x d quads? It closes over 2 d + 1 quads.
+void pair_move_and_back(benchmark::State& state) {
+  Scene scene(digon(state.range(0), state.range(1)));
+  const auto pair = mesh::irregular_vertices(scene.mesh);
+  mesh::PairMove move;
+  for (const mesh::PairMove& m : mesh::pair_moves(scene.mesh, pair[0], pair[1])) {
+    if (m.step == mesh::PairStep::close) move = m;
+  }
+  std::size_t operations = 0;
+  for (auto _ : state) {
+    const mesh::MoveReport there = move_pair(scene.editor, move);
+    const mesh::MoveReport back = move_pair(scene.editor, there.inverse);
+    if (back.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    move = back.inverse;
+    operations = there.operations.size();
+    scene.editor.forget();
+  }
+  count_quads(state, scene.mesh);
+  state.counters["operations"] = static_cast<double>(operations);
+  state.SetComplexityN(state.range(1));
+}
+BENCHMARK(pair_move_and_back)->Apply(three_sizes);
+BENCHMARK(pair_move_and_back)->Apply(longer_paths)->Complexity(benchmark::oN);
+
+// How long does it take to look up the four moves of such a pair, before any is made?
+void list_pair_moves(benchmark::State& state) {
+  const QuadMesh m = digon(state.range(0), state.range(1));
+  const auto pair = mesh::irregular_vertices(m);
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::pair_moves(m, pair[0], pair[1]));
+  count_quads(state, m);
+  state.SetComplexityN(state.range(1));
+}
+BENCHMARK(list_pair_moves)->Apply(three_sizes);
+BENCHMARK(list_pair_moves)->Apply(longer_paths)->Complexity();
+
+// How long does a courier take that one v3 sends to the other over d x d quads, and to take all of it back?
+void courier_journey(benchmark::State& state, bool new_courier) {
+  Scene scene(digon(state.range(0), state.range(1)));
+  const auto pair = mesh::irregular_vertices(scene.mesh);
+  const mesh::CourierPlace start{scene.mesh.out(pair[0])};
+  const std::array<VertexId, 1> targets{pair[1]};
+  mesh::Courier kept(scene.editor);
+  mesh::Transport journey;
+  for (auto _ : state) {
+    if (new_courier) {
+      mesh::Courier courier(scene.editor);
+      journey = courier.carry(start, targets);
+    } else {
+      journey = kept.carry(start, targets);
+    }
+    if (journey.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    scene.editor.roll_back();
+  }
+  count_quads(state, scene.mesh);
+  state.counters["operations"] = journey.steps;
+  state.counters["states"] = static_cast<double>(journey.states);
+  state.SetComplexityN(state.range(1));
+}
+BENCHMARK_CAPTURE(courier_journey, kept, false)->Apply(three_sizes);
+BENCHMARK_CAPTURE(courier_journey, kept, false)->Apply(longer_paths)->Complexity();
+// And the first one of a courier, which gets its working memory then?
+BENCHMARK_CAPTURE(courier_journey, new, true)->Apply(three_sizes);
+
+// How long does it take to cancel a v3 and a v5 that are some steps of a flip apart, so twice as many edges, with the
+// help of a second v3 beside the v5, and to take all of it back? Every edge is a courier, whose journey looks round a
+// disc.
+void cancel_and_roll_back(benchmark::State& state) {
+  ThreeVertices start(state.range(0), state.range(1));
+  mesh::Courier courier(start.scene.editor);
+  mesh::Cancellation result;
+  for (auto _ : state) {
+    result = cancel_pair(start.scene.editor, courier, start.alone, start.five, {start.three});
+    if (result.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    start.scene.editor.roll_back();
+  }
+  count_quads(state, start.scene.mesh);
+  state.counters["operations"] = result.steps;
+  state.counters["couriers"] = result.couriers;
+  state.SetComplexityN(state.range(1));
+}
+BENCHMARK(cancel_and_roll_back)->Apply(three_sizes);
+BENCHMARK(cancel_and_roll_back)
+    ->ArgNames({"quads", "path"})
+    ->RangeMultiplier(2)
+    ->Ranges({{kQuads, kQuads}, {4, 32}})
+    ->Complexity(benchmark::oNCubed);
+
+// How long does the first split of a mesh take, whose arrays have no room for it yet?
+void first_split(benchmark::State& state) {
+  const Scene untouched(digon(state.range(0), kPath));
+  const HalfEdgeId inner = untouched.mesh.out(mesh::irregular_vertices(untouched.mesh)[0]);
+  std::optional<Scene> scene;
+  for (auto _ : state) {
+    state.PauseTiming();
+    scene.emplace(untouched.mesh);
+    state.ResumeTiming();
+    const mesh::Applied done =
+        scene->editor.run({mesh::BasicOperation::Kind::split, inner, QuadMesh::previous(inner), 0});
+    if (done.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+  }
+  count_quads(state, untouched.mesh);
+}
+BENCHMARK(first_split)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
