@@ -15,8 +15,7 @@ using program::UsageError;
 std::vector<Command> commands() {
   return {edit::info_command(), edit::smooth_command(), edit::subdivide_command(), edit::moves_command(),
           edit::move_command(), edit::cancel_command(), edit::merge_command(),     edit::align_command(),
-          edit::part_command(), edit::reduce_command(), edit::atomic_command(),
-          edit::apply_command()};
+          edit::part_command(), edit::reduce_command(), edit::atomic_command(),    edit::apply_command()};
 }
 
 constexpr const char* kCommon = R"(

@@ -61,7 +61,8 @@ class Reducer {
     }
     smoothing_.iterations = options_.final_iterations;
     smooth_edit(editor_, m_.vertices(), smoothing_);
-    if (options_.final_iterations > 0) untangle(editor_, smoothing_);
+    // Untangling may lead far along the surface.
+    if (options_.final_iterations > 0 && options_.max_deviation < 0) untangle(editor_, smoothing_);
     report_.minimal = editor_.sectors().is_minimal();
     return report_;
   }

@@ -38,7 +38,8 @@ struct ReduceOptions {
   double max_deviation = -1;                    // of a changed face's centre from the surface, in its units; < 0: none
   const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
   int smoothing_iterations = 4;                 // after each cancellation, over what changed and two rings more
-  int final_iterations = 30;                    // over the whole mesh, in the end; then untangling, unless 0
+  int final_iterations = 30;                    // over the whole mesh, in the end; then, unless 0 or
+                                                // max_deviation is given, untangling
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 

@@ -413,7 +413,7 @@ class Replayer {
     const VertexId v = change.vertex;
     if (!m_.is_live(v)) fail(change, "there is no vertex " + std::to_string(v.index()) + " any more");
     if (m_.is_boundary(v)) fail(change, "vertex " + std::to_string(v.index()) + " lies on the boundary");
-    if (editor_.is_fixed(v)) return Refusal::moves_feature;
+    if (editor_.sectors().is_feature(v)) return Refusal::moves_feature;
     check_place(change);
     editor_.place(v, change.to);
     return Refusal::none;

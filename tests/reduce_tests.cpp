@@ -1,6 +1,8 @@
 // Reducing meshes to their topological minimum, on generated and on real ones.
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 
 #include <nlohmann/json.hpp>
@@ -207,4 +209,79 @@ TEST_CASE("Law U: folds are relaxed, and what is fixed stays", "[smoothing]") {
   const Untangling nothing = untangle(stuck, {});
   CHECK(nothing.after == nothing.before);
   CHECK(positions == before);
+}
+
+namespace {
+
+// A disk whose centre has this many quads, rings of twice as many quads round it: a v3 between each two spokes.
+struct Disk {
+  QuadMesh mesh;
+  Positions positions;
+};
+Disk disk(int spokes, int rings) {
+  const int round = 2 * spokes;
+  const auto at = [round](int ring, int i) { return 1 + (ring - 1) * round + i % round; };
+  Disk d;
+  d.positions.emplace_back(0, 0, 0);
+  std::vector<std::array<int, 4>> faces;
+  for (int i = 0; i < spokes; ++i) faces.push_back({0, at(1, 2 * i), at(1, 2 * i + 1), at(1, 2 * i + 2)});
+  for (int ring = 1; ring <= rings; ++ring) {
+    for (int i = 0; i < round; ++i) {
+      const double angle = 2 * std::acos(-1.0) * i / round;
+      d.positions.emplace_back(ring * std::cos(angle), ring * std::sin(angle), 0);
+      if (ring < rings) faces.push_back({at(ring, i), at(ring + 1, i), at(ring + 1, i + 1), at(ring, i + 1)});
+    }
+  }
+  d.mesh = QuadMesh::from_faces(1 + rings * round, faces);
+  return d;
+}
+
+// The pairs of irregular vertices that a separatrix joins: those that align_pair() has nothing to do for.
+int aligned_pairs(Editor& editor, std::optional<std::array<VertexId, 2>>& nearest_to_aligned) {
+  const auto irregular = irregular_vertices(editor.mesh());
+  int aligned = 0;
+  int fewest = 1 << 20;
+  nearest_to_aligned.reset();
+  for (std::size_t i = 0; i < irregular.size(); ++i) {
+    for (std::size_t j = i + 1; j < irregular.size(); ++j) {
+      const std::size_t mark = editor.mark();
+      const PairResult result = align_pair(editor, irregular[i], irregular[j]);
+      editor.roll_back(mark);
+      if (result.refusal != Refusal::none) continue;
+      if (result.moves == 0) ++aligned;
+      if (result.moves > 0 && result.moves < fewest) {
+        fewest = result.moves;
+        nearest_to_aligned = {irregular[i], irregular[j]};
+      }
+    }
+  }
+  return aligned;
+}
+
+}  // namespace
+
+TEST_CASE("Figure 15: a disk with 36 v3s round a v36 becomes one with four aligned v3s", "[reduce][figure15]") {
+  Disk d = disk(36, 8);
+  CHECK(irregular_valences(d.mesh) == std::map<int, int>{{3, 36}, {36, 1}});
+  const SurfaceIndex surface(d.mesh, d.positions);
+  const QuadMesh before = d.mesh;
+  Editor editor(d.mesh, nullptr, &d.positions);
+  ReduceOptions how;
+  how.surface = &surface;
+  const ReduceReport report = reduce(editor, how);
+  CHECK(report.minimal);
+  CHECK(irregular_valences(d.mesh) == std::map<int, int>{{3, 4}});
+  // Align the pair that is nearest to it until the four are the corners of a rectangle: four pairs of six aligned.
+  std::optional<std::array<VertexId, 2>> next;
+  int alignments = 0;
+  while (aligned_pairs(editor, next) < 4 && next && alignments < 12) {
+    REQUIRE(align_pair(editor, (*next)[0], (*next)[1]).refusal == Refusal::none);
+    ++alignments;
+  }
+  CHECK(aligned_pairs(editor, next) >= 4);
+  CHECK(irregular_valences(d.mesh) == std::map<int, int>{{3, 4}});
+  CHECK(validate(d.mesh).empty());
+  CHECK(untangle(editor, {}).after == 0);
+  editor.roll_back();
+  CHECK(d.mesh == before);
 }

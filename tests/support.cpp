@@ -88,6 +88,20 @@ mesh::BasicOperation renamed(const mesh::BasicOperation& op, const Relabelled& b
   return result;
 }
 
+mesh::BasicOperation random_operation(const QuadMesh& m, std::mt19937& random) {
+  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const HalfEdgeId h(pick(m.half_edge_capacity()));
+  using Kind = mesh::BasicOperation::Kind;
+  const auto kind = static_cast<Kind>(pick(4));
+  mesh::BasicOperation op{kind, h, {}, 0};
+  if (kind == Kind::split && m.is_live(h)) {
+    std::vector<HalfEdgeId> in;
+    m.for_each_out(m.origin(h), [&](HalfEdgeId g) { in.push_back(QuadMesh::previous(g)); });
+    op.last = in[static_cast<std::size_t>(pick(static_cast<int>(in.size())))];
+  }
+  return op;
+}
+
 FaceList face_list(const QuadMesh& m) {
   FaceList faces;
   for (const FaceId f : m.faces()) {
@@ -203,19 +217,6 @@ Region grid(int columns, int rows) {
   Region region{QuadMesh::from_faces((columns + 1) * (rows + 1), faces), {}};
   region.root = region.mesh.out(VertexId(at(0, 0)));
   return region;
-}
-
-mesh::BasicOperation random_operation(const mesh::QuadMesh& m, std::mt19937& random) {
-  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  const HalfEdgeId h(pick(m.half_edge_capacity()));
-  const auto kind = static_cast<mesh::BasicOperation::Kind>(pick(4));
-  mesh::BasicOperation op{kind, h, {}, 0};
-  if (kind == mesh::BasicOperation::Kind::split && m.is_live(h)) {
-    std::vector<HalfEdgeId> in;
-    m.for_each_out(m.origin(h), [&](HalfEdgeId g) { in.push_back(QuadMesh::previous(g)); });
-    op.last = in[static_cast<std::size_t>(pick(static_cast<int>(in.size())))];
-  }
-  return op;
 }
 
 mesh::Positions random_positions(const mesh::QuadMesh& m, std::mt19937& random) {

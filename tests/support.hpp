@@ -35,6 +35,9 @@ struct Relabelled {
 Relabelled relabel(const mesh::QuadMesh& mesh, std::mt19937& random);
 mesh::BasicOperation renamed(const mesh::BasicOperation& operation, const Relabelled& by);
 
+// One that may be illegal, or name an element that was removed; all kinds are alike likely.
+mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& random);
+
 // Face lists over the vertex ids of a mesh without gaps, and the three operations on them as their definitions say, with
 // no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
 using FaceList = std::vector<std::array<int, 4>>;
@@ -61,8 +64,6 @@ mesh::QuadMesh cube();
 // A regular grid of columns x rows quads, with its root at a corner.
 mesh::Region grid(int columns, int rows);
 
-// An operation of any kind anywhere, legal or not.
-mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& random);
 // Of every vertex slot, in the cube [-1, 1)^3.
 mesh::Positions random_positions(const mesh::QuadMesh& mesh, std::mt19937& random);
 // How many irregular vertices there are of each valence.
