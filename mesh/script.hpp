@@ -18,10 +18,10 @@
 // same bits.
 //
 // Laws
-//   U1  parse_script(to_string(s)) is s.
-//   U2  Replayed on the mesh that it was recorded on, a script gives the same mesh, with all ids, free ids and bits.
-//   U3  Its inverse() gives the mesh back likewise: from memory, or from a file by restore_ids().
-//   U4  A script that is not what it must be, or is replayed on another mesh, changes nothing, and one line says why.
+//   W1  parse_script(to_string(s)) is s.
+//   W2  Replayed on the mesh that it was recorded on, a script gives the same mesh, with all ids, free ids and bits.
+//   W3  Its inverse() gives the mesh back likewise: from memory, or from a file by restore_ids().
+//   W4  A script that is not what it must be, or is replayed on another mesh, changes nothing, and one line says why.
 // Costs: linear in the script, with little for each line; a replay costs what its operations do.
 #pragma once
 

@@ -80,11 +80,8 @@ struct Workshop {
 // A torus that is a little crooked, and no symmetry to it.
 Surface crooked_torus(int columns, int rows) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> unit(-1, 1);
   const QuadMesh m = tests::torus(columns, rows);
-  Positions positions;
-  for (int v = 0; v < m.vertex_count(); ++v) positions.push_back({unit(random), unit(random), unit(random)});
-  return read_back(obj(m, positions));
+  return read_back(obj(m, tests::random_positions(m, random)));
 }
 
 // What is said of a script that is parsed, and replayed on a copy of the surface; "" if nothing is.
@@ -123,7 +120,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Laws U1-U3: 10,000 random operations on each real mesh, replayed and undone to the last bit",
+TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and undone to the last bit",
           "[script][real]") {
   struct Case {
     const char* name;
@@ -156,7 +153,7 @@ TEST_CASE("Laws U1-U3: 10,000 random operations on each real mesh, replayed and 
     made.edit(10'000, random);
     REQUIRE(validate(made.m).empty());
 
-    // U1
+    // W1
     const std::string text = to_string(made.record());
     const Script script = parse_script(text, name);
     CHECK(to_string(script) == text);
@@ -166,7 +163,7 @@ TEST_CASE("Laws U1-U3: 10,000 random operations on each real mesh, replayed and 
     }
     CHECK(kinds.size() == 4);
 
-    // U2
+    // W2
     Workshop again(input);
     again.features = made.features;
     REQUIRE(replay(again.editor, script).refusal == Refusal::none);
@@ -174,12 +171,12 @@ TEST_CASE("Laws U1-U3: 10,000 random operations on each real mesh, replayed and 
     CHECK(same_positions(made.m, again.positions, made.positions));
     CHECK(to_string(again.record()) == text);
 
-    // U3, from memory
+    // W3, from memory
     REQUIRE(replay(again.editor, inverse(script)).refusal == Refusal::none);
     CHECK(again.m == input.mesh);
     CHECK(same_positions(input.mesh, again.positions, input.positions));
 
-    // U3, from the file
+    // W3, from the file
     Surface output = read_back(obj(made.m, made.positions));
     restore_ids(script, output);
     CHECK(validate(output.mesh).empty());
@@ -251,7 +248,7 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
   }
 }
 
-TEST_CASE("Law U4: scripts that are refused, and where", "[script]") {
+TEST_CASE("Law W4: scripts that are refused, and where", "[script]") {
   const Surface surface = crooked_torus(4, 4);
   Workshop w(surface);
   // A split, which makes vertex 16 and face 16, a vertex that moves, a collapse that removes vertex 0 or another, a
@@ -373,7 +370,7 @@ TEST_CASE("Law U4: scripts that are refused, and where", "[script]") {
   CHECK_THROWS_AS(restore_ids(twice, result), MeshError);
 }
 
-TEST_CASE("Law U4: free ids in another order are another mesh to a script", "[script]") {
+TEST_CASE("Law W4: free ids in another order are another mesh to a script", "[script]") {
   Workshop w(crooked_torus(4, 4));
   for (const int h : {4 * 5 + 1, 4 * 2})
     REQUIRE(w.editor.run({BasicOperation::Kind::collapse, HalfEdgeId(h), {}, 0}).refusal == Refusal::none);
@@ -395,7 +392,7 @@ TEST_CASE("Law U4: free ids in another order are another mesh to a script", "[sc
   }
 }
 
-TEST_CASE("Law U4: a broken script changes nothing, however it is broken", "[script]") {
+TEST_CASE("Law W4: a broken script changes nothing, however it is broken", "[script]") {
   const Surface surface = crooked_torus(4, 5);
   std::mt19937 random(5);
   Workshop w(surface);
