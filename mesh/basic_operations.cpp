@@ -43,6 +43,7 @@ std::string_view explain(Refusal refusal) {
     case Refusal::moves_feature: return "a vertex on a feature would move";
     case Refusal::no_way: return "no path leads the 3-5 pair to a vertex that can take it";
     case Refusal::wrong_valences: return "the vertices do not have the valences that this needs";
+    case Refusal::no_rectangle: return "the separatrices of the two span no rectangle (Lemma 7.8), which this needs";
     case Refusal::odd_distance: return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";
     case Refusal::lone_pair: return "a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)";
     case Refusal::lone_vertex: return "a single irregular vertex can not be moved (Theorem 7.1)";

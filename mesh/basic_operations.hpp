@@ -44,6 +44,7 @@ enum class Refusal {
   no_way,              // no path leads the courier to a vertex that can take it (courier.hpp)
   // What no sequence of operations can do (complementary.hpp):
   wrong_valences,      // the vertices are not of the valences that this is about
+  no_rectangle,        // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
   odd_distance,        // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
   lone_pair,           // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
   lone_vertex,         // a single irregular vertex can not be moved (Theorem 7.1)

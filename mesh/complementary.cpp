@@ -172,7 +172,7 @@ std::pair<Refusal, std::vector<PairFrame>> frames_of(const Editor& editor, Verte
   if (v1 == v2 || wrong(v1) || wrong(v2) || m.face_valence(v1) != m.face_valence(v2))
     return {Refusal::wrong_valences, {}};
   std::vector<PairFrame> frames = find_frames(m, v1, v2);
-  const Refusal refusal = frames.empty() ? Refusal::no_such_step : Refusal::none;
+  const Refusal refusal = frames.empty() ? Refusal::no_rectangle : Refusal::none;
   return {refusal, std::move(frames)};
 }
 

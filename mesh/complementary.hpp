@@ -56,7 +56,7 @@ struct PairResult {
   PairFrame frame;  // of the pair in the end; extents 0, 0 if it is merged
 };
 // Merges a 3-3 pair into a v2, or a 5-5 pair into a v6, by pair moves. Refusals: wrong_valences, odd_distance, or the
-// one of the move that was refused. A pair that spans no rectangle: no_such_step.
+// one of the move that was refused. A pair that spans no rectangle: no_rectangle.
 PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2);
 // Moves a 3-3 or 5-5 pair until d1 or d2 is 0, by as few moves as there are ways, first those that change the fewest
 // faces.

@@ -101,16 +101,28 @@ enum class Landing { refused, regular, absorbed, crossed };
 }  // namespace
 
 // From the targets over vertices on which a courier can land, until both ends of the start have been met and a little
-// further, so that small detours are measured too. Couriers cross no feature, so distances end there.
+// further, so that small detours are measured too. Couriers cross no feature, so distances end there. A target on a
+// feature may have no edge inside its patch, but a split beside it lets it take a courier all the same (Figure 18):
+// there the corners of its sector count as the target.
 void Courier::measure_distances(std::span<const VertexId> targets, CourierPlace start) {
   constexpr int kMargin = 2;
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
+  sources_.assign(targets.begin(), targets.end());
+  for (const VertexId x : targets) {
+    if (!sectors.is_fixed(x)) continue;
+    m.for_each_out(x, [&](HalfEdgeId h) {
+      if (sectors.excess(h) == 0) return;
+      for (const VertexId corner : m.corners(QuadMesh::face(h))) {
+        if (sectors.may_change(corner)) sources_.push_back(corner);
+      }
+    });
+  }
   const VertexId u = start.u(m);
   const VertexId v = start.v(m);
   int last = -1;  // distances beyond this one are not needed; -1: not known yet
   surroundings_.measure(
-      m, targets, [&](VertexId x) { return sectors.may_change(x); },
+      m, sources_, [&](VertexId x) { return sectors.may_change(x); },
       [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); },
       [&](VertexId, int d) {
         farthest_ = d;
@@ -193,19 +205,19 @@ void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> t
     if (at_u == Landing::absorbed) absorbed_by = planned.next_u;
     if (at_v == Landing::absorbed) absorbed_by = planned.next_v;
     if (takes) absorbed_by = collapses ? u : v;
-    const bool absorbed = absorbed_by.valid();
+    const int absorbed = (at_u == Landing::absorbed ? 1 : 0) + (at_v == Landing::absorbed ? 1 : 0) + (takes ? 1 : 0);
     // Beyond a target that was crossed, the same place is another one: the target lies on the other hand.
     const Node& here = nodes_[static_cast<std::size_t>(node)];
     const int crossings = here.crossings + (at_u == Landing::crossed ? 1 : 0) + (at_v == Landing::crossed ? 1 : 0);
     if (crossings > most_crossings_) continue;
     const std::int64_t key =
         4 * static_cast<std::int64_t>(planned.next.edge.index()) + 2 * crossings + (planned.next.against ? 1 : 0);
-    if (!absorbed && !seen_.insert(key).second) continue;
+    if (absorbed == 0 && !seen_.insert(key).second) continue;
     const int depth = here.depth + 1;
     const int rest =
-        absorbed ? 0 : std::min(splits ? farthest_ + 1 : distance(planned.next_u), distance(planned.next_v));
+        absorbed > 0 ? 0 : std::min(splits ? farthest_ + 1 : distance(planned.next_u), distance(planned.next_v));
     nodes_.push_back({node, depth, crossings, absorbed, absorbed_by, planned});
-    open_.push({depth + rest, depth, static_cast<int>(nodes_.size()) - 1});
+    open_.push({depth + rest, absorbed, depth, static_cast<int>(nodes_.size()) - 1});
   }
 }
 
@@ -228,7 +240,7 @@ Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, 
   seen_.clear();
   measure_distances(targets, start);
   const auto met = [this](VertexId v) { return surroundings_.distance(v) >= 0; };
-  if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0});
+  if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0, 0});
   while (!open_.empty() && result.states < most_states) {
     const int node = open_.top().node;
     open_.pop();
@@ -236,7 +248,7 @@ Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, 
     go_to(node, base);
     const Node& here = nodes_[static_cast<std::size_t>(node)];
     const CourierPlace courier = node == 0 ? start : here.step.next;
-    if (here.absorbed) {
+    if (here.absorbed > 0) {
       result.refusal = Refusal::none;
       result.courier = courier;
       result.absorbed_by = here.absorbed_by;

@@ -37,6 +37,7 @@
 #include <queue>
 #include <span>
 #include <string>
+#include <tuple>
 #include <unordered_set>
 #include <vector>
 
@@ -120,8 +121,9 @@ struct Transport {
 };
 
 // Carries couriers by shortest paths over regular vertices, round features, boundaries and irregular vertices
-// (Figure 7). It looks ahead on the mesh itself, by best-first search over sequences of steps, each of them checked;
-// what it does not choose is taken back. It keeps its working memory from one journey to the next.
+// (Figure 7); of paths of one length it takes one that ends in a 3-3-5-5 removal. It looks ahead on the mesh itself, by
+// best-first search over sequences of steps, each of them checked; what it does not choose is taken back. It keeps its
+// working memory from one journey to the next.
 //
 // Costs: states visited times the distance between consecutive ones; close to the length of the path where nothing is
 // in the way. Nothing grows with the mesh, but the memory: two integers for each vertex.
@@ -140,17 +142,18 @@ class Courier {
     int parent = -1;
     int depth = 0;
     int crossings = 0;  // targets crossed on the way, at most one
-    bool absorbed = false;
+    int absorbed = 0;   // by how many targets: two at a 3-3-5-5 removal
     VertexId absorbed_by;
     PlannedStep step;
   };
   struct Open {
     int estimate;
+    int absorbed;
     int depth;
     int node;
-    bool operator<(const Open& o) const {  // for a heap: the least estimate, then the deepest, then the first made
-      if (estimate != o.estimate) return estimate > o.estimate;
-      return depth != o.depth ? depth < o.depth : node > o.node;
+    // For a heap: the least estimate; then what most targets absorb, the deepest, the first made.
+    bool operator<(const Open& o) const {
+      return std::tuple(-estimate, absorbed, depth, -node) < std::tuple(-o.estimate, o.absorbed, o.depth, -o.node);
     }
   };
 
@@ -164,7 +167,8 @@ class Courier {
   std::vector<int> path_;  // nodes performed on the mesh now, in order
   std::priority_queue<Open> open_;
   int most_crossings_ = 0;
-  Surroundings surroundings_;  // of the targets
+  Surroundings surroundings_;      // of the targets
+  std::vector<VertexId> sources_;  // of the distances
   int farthest_ = 0;
   std::unordered_set<std::int64_t> seen_;  // places already queued
 };

@@ -46,7 +46,10 @@ Command apply_command() {
       "i + 1\n"
       "      of IN, null if it was removed; faces likewise; new_vertices and new_faces are the numbers in OUT of "
       "what IN\n"
-      "      does not have. All are counted from 1 in the order of the files, or with --subdivide as `subdivide` "
+      "      does not have, new_vertices_from and new_faces_from those in IN of what they were split from, so that "
+      "what\n"
+      "      belongs to a vertex or face can follow. All are counted from 1 in the order of the files, or with "
+      "--subdivide as `subdivide` "
       "writes\n"
       "      them. (Scripts count from 0.)\n"
       "      Exit code 1: an edit would change a feature, and a line says which; then nothing is written.\n",

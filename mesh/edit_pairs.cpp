@@ -21,6 +21,14 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 
+// Whether the wish is to move one vertex alone, as Theorem 7.1 says none can be.
+bool is_lone(const Session& session) { return session.options().words().size() == 2; }
+int refuse_lone(Session& session) {
+  const VertexId v = session.vertex(session.options().words()[1]);
+  const bool irregular = session.editor().sectors().is_irregular(v);
+  return session.refused(session.describe(v), irregular ? Refusal::lone_vertex : Refusal::wrong_valences);
+}
+
 // The session's two vertices: the second and third word.
 std::array<VertexId, 2> pair_of(const Session& session, const std::string& command) {
   const auto& words = session.options().words();
@@ -113,6 +121,7 @@ Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
 
 int moves(const Options& options) {
   Session session(options, "moves");
+  if (is_lone(session)) return refuse_lone(session);
   const auto [a, b] = pair_of(session, "moves");
   ordered_json list = ordered_json::array();
   std::string text;
@@ -140,6 +149,7 @@ int moves(const Options& options) {
 int move(const Options& options) {
   Session session(options, "move");
   output_path(options, "move");
+  if (is_lone(session)) return refuse_lone(session);
   const auto [a, b] = pair_of(session, "move");
   if (!options.has("step")) throw UsageError("move: --step is missing; `requad-edit moves` lists the steps of a pair");
   const std::string wanted = options.text("step");
@@ -196,7 +206,8 @@ int cancel(const Options& options) {
   }
   return session.done({{"couriers", result.couriers}, {"operations", result.steps}, {"helpers", moved}},
                       wish + " cancelled by " + counted(result.couriers, "courier", "couriers") + " in " +
-                          counted(result.steps, "operation", "operations") + "; helpers are now " + where + "\n");
+                          counted(result.steps, "operation", "operations") + "; " +
+                          (where.empty() ? "the helpers with them" : "helpers are now " + where) + "\n");
 }
 
 // Merging and aligning differ by the function alone.

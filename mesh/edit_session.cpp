@@ -45,19 +45,23 @@ mesh::Surface read_first(const Options& options, const std::string& command) {
 std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
   const mesh::ElementMap map = mesh::element_map(input.mesh, editor);
   const auto number = [](int place) { return place < 0 ? ordered_json() : ordered_json(place + 1); };
-  const auto made = [&number](const mesh::PlaceMap& of) {
+  const auto numbers = [&number](const std::vector<int>& places) {
     ordered_json list = ordered_json::array();
-    for (const int place : of.made) list.push_back(number(place));
+    for (const int place : places) list.push_back(number(place));
     return list;
   };
   ordered_json vertices = ordered_json::array(), faces = ordered_json::array();
   for (const int v : input.from_file)
     vertices.push_back(v < 0 ? ordered_json() : number(map.vertices.now[static_cast<std::size_t>(v)]));
   for (const mesh::FaceId f : input.mesh.faces()) faces.push_back(number(map.faces.now[f.slot()]));
+  std::vector<int> vertices_from;
+  for (const int v : map.vertices.made_from) vertices_from.push_back(input.file_vertex[static_cast<std::size_t>(v)]);
   return ordered_json{{"vertices", vertices},
                       {"faces", faces},
-                      {"new_vertices", made(map.vertices)},
-                      {"new_faces", made(map.faces)}}
+                      {"new_vertices", numbers(map.vertices.made)},
+                      {"new_vertices_from", numbers(vertices_from)},
+                      {"new_faces", numbers(map.faces.made)},
+                      {"new_faces_from", numbers(map.faces.made_from)}}
              .dump() +
          "\n";
 }

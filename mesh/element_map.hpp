@@ -12,6 +12,9 @@ namespace requad::mesh {
 struct PlaceMap {
   std::vector<int> now;   // by id before: the element's place after; -1 if it was removed, or was not there
   std::vector<int> made;  // places after of the elements that were not there before, increasing
+  // Of each of these, the id before of what it comes from, whether that is still there or not: of a vertex, the one
+  // that it was split off, or what that came from; of a face, the first one of the sector that the split opened beside.
+  std::vector<int> made_from;
 };
 
 struct ElementMap {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <queue>
 #include <span>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -38,6 +39,8 @@ class Reducer {
   }
 
   ReduceReport run() {
+    if (options_.max_deviation >= 0 && options_.surface == nullptr)
+      throw std::invalid_argument("reduce: max_deviation needs a surface");
     report_.before = count_irregular();
     report_.after = report_.before;
     for (bool progress = true; progress && report_.after > options_.until;) {
@@ -127,7 +130,7 @@ class Reducer {
   // The largest distance of the centre of a changed face from the surface.
   double deviation() const {
     double largest = 0;
-    if (options_.surface == nullptr || options_.max_deviation < 0) return largest;
+    if (options_.max_deviation < 0) return largest;
     for (const VertexId v : std::span(footprint_.near).first(footprint_.inner)) {
       m_.for_each_out(v, [&](HalfEdgeId h) {
         const Eigen::Vector3d centre = face_centre(m_, positions(), QuadMesh::face(h));

@@ -35,7 +35,8 @@ enum class ReduceCost {
 struct ReduceOptions {
   int until = 0;  // stop at so many irregular vertices
   ReduceCost cost = ReduceCost::shape;
-  double max_deviation = -1;                    // of a changed face's centre from the surface, in its units; < 0: none
+  // Of a changed face's centre from the surface, in its units; < 0: none. Needs a surface.
+  double max_deviation = -1;
   const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
   int smoothing_iterations = 4;                 // after each cancellation, over what changed and two rings more
   int final_iterations = 30;                    // over the whole mesh, in the end; then, unless 0 or
@@ -56,7 +57,7 @@ struct ReduceReport {
   int too_far = 0;                  // of these, cancellations that max_deviation refused
 };
 
-// Precondition: the editor has positions.
+// Precondition: the editor has positions. Throws std::invalid_argument for a max_deviation without a surface.
 ReduceReport reduce(Editor& editor, const ReduceOptions& options);
 
 }  // namespace requad::mesh

@@ -199,10 +199,20 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
     // By hand: after each operation an id that is no longer, or newly, live has lost its element.
     std::vector<int> vertex(20), face(20);
     for (int i = 0; i < 20; ++i) vertex[static_cast<std::size_t>(i)] = face[static_cast<std::size_t>(i)] = i;
+    // What each id goes back to: a vertex to the one it was split off, a face to the one it was opened beside.
+    std::map<int, int> vertex_from, face_from;
+    for (int i = 0; i < 20; ++i) vertex_from[i] = face_from[i] = i;
     int reused = 0;
     for (int i = 0; i < 400; ++i) {
       const QuadMesh before = w.m;
-      if (w.editor.run(tests::random_operation(w.m, random)).refusal != Refusal::none) continue;
+      const BasicOperation operation = tests::random_operation(w.m, random);
+      if (w.editor.run(operation).refusal != Refusal::none) continue;
+      for (const VertexId v : w.m.vertices()) {
+        if (!before.is_live(v)) vertex_from[v.index()] = vertex_from.at(before.origin(operation.h).index());
+      }
+      for (const FaceId f : w.m.faces()) {
+        if (!before.is_live(f)) face_from[f.index()] = face_from.at(QuadMesh::face(operation.h).index());
+      }
       for (int id = 0; id < 20; ++id) {
         if (before.is_live(VertexId(id)) != w.m.is_live(VertexId(id))) {
           reused += w.m.is_live(VertexId(id)) ? 1 : 0;
@@ -213,8 +223,12 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
     }
     REQUIRE(reused > 0);
     const ElementMap map = element_map(w.input.mesh, w.editor);
-    const auto check = [](const PlaceMap& places, const std::vector<int>& kept, const auto& live) {
+    const auto check = [](const PlaceMap& places, const std::vector<int>& kept, const auto& live,
+                          const std::map<int, int>& from) {
       REQUIRE(places.now.size() == kept.size());
+      REQUIRE(places.made_from.size() == places.made.size());
+      for (std::size_t i = 0; i < places.made.size(); ++i)
+        CHECK(places.made_from[i] == from.at(live[static_cast<std::size_t>(places.made[i])].index()));
       std::set<int> all(places.made.begin(), places.made.end());
       for (std::size_t id = 0; id < kept.size(); ++id) {
         CHECK((places.now[id] < 0) == (kept[id] < 0));
@@ -224,8 +238,8 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
       }
       CHECK(all.size() == live.size());
     };
-    check(map.vertices, vertex, w.m.vertices());
-    check(map.faces, face, w.m.faces());
+    check(map.vertices, vertex, w.m.vertices(), vertex_from);
+    check(map.faces, face, w.m.faces(), face_from);
 
     // Undoing from the file maps back what there is to map, and nothing else.
     const Script script = w.record();
@@ -508,19 +522,23 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   CHECK(slurp(scratch() / "made.obj") == out);
   const json map = json::parse(slurp(scratch() / "map.json"));
   const ElementMap expected = element_map(w.input.mesh, w.editor);
-  const auto check_map = [](const json& numbers, const json& made, const PlaceMap& places, std::size_t unused) {
+  const auto check_map = [](const json& of, const std::string& kind, const PlaceMap& places, std::size_t unused) {
+    const json &numbers = of[kind], &made = of["new_" + kind], &from = of["new_" + kind + "_from"];
     REQUIRE(numbers.size() == places.now.size() + unused);
     for (std::size_t i = 0; i < places.now.size(); ++i)
       CHECK(numbers[i + unused] == (places.now[i] < 0 ? json() : json(places.now[i] + 1)));
     for (std::size_t i = 0; i < unused; ++i) CHECK(numbers[i].is_null());
     REQUIRE(made.size() == places.made.size());
     for (std::size_t i = 0; i < made.size(); ++i) CHECK(made[i] == places.made[i] + 1);
+    REQUIRE(from.size() == made.size());
+    for (std::size_t i = 0; i < from.size(); ++i)
+      CHECK(from[i] == static_cast<std::size_t>(places.made_from[i]) + 1 + unused);
   };
-  check_map(map["vertices"], map["new_vertices"], expected.vertices, 0);
-  check_map(map["faces"], map["new_faces"], expected.faces, 0);
+  check_map(map, "vertices", expected.vertices, 0);
+  check_map(map, "faces", expected.faces, 0);
   CHECK(call("edit", "apply shifted.obj edits.txt -o - --map map.json").out == out);
   const json of_shifted = json::parse(slurp(scratch() / "map.json"));
-  check_map(of_shifted["vertices"], of_shifted["new_vertices"], expected.vertices, 1);
+  check_map(of_shifted, "vertices", expected.vertices, 1);
 
   CHECK(call("edit", "apply made.obj edits.txt --undo -o back.obj --map map.json").code == 0);
   json undone = json::parse(slurp(scratch() / "map.json"));
@@ -528,6 +546,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   spill(scratch() / "shifted.obj", shifted(out));
   CHECK(call("edit", "apply shifted.obj edits.txt --undo -o - --map map.json").out == in);
   undone["vertices"].insert(undone["vertices"].begin(), json());
+  for (json& from : undone["new_vertices_from"]) from = from.get<int>() + 1;
   CHECK(json::parse(slurp(scratch() / "map.json")) == undone);
 
   // Bad input: exit 2, one line, nothing written.
