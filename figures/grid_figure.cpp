@@ -6,7 +6,6 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 
 namespace requad::figures {
 
@@ -17,49 +16,81 @@ using enumerate::FoundMove;
 using theory::Configuration;
 using theory::PairType;
 
-constexpr const char* kRed = "#c0392b";   // even sides
-constexpr const char* kBlue = "#1f5fa8";  // odd sides
-const char* parity_colour(int length) { return length % 2 == 0 ? kRed : kBlue; }
-
 using Place = std::array<double, 2>;
+using PlaceOf = std::function<Place(const Configuration&)>;
+
+theory::GridPoint grid_point_of(PairType type, const Configuration& labelling) {
+  return theory::grid_point(type, type.symmetric() ? labelling : theory::canonical(type, labelling));
+}
+
+std::string signed_text(theory::Integer x) { return (x < 0 ? "" : "+") + std::to_string(x); }
+
+GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
+  using Kind = mesh::BasicOperation::Kind;
+  const theory::GridPoint before = grid_point_of(type, move.before.value()),
+                          after = grid_point_of(type, move.after.value());
+  GridEdge edge{from,
+                to,
+                mesh::name(move.move.step),
+                "(" + signed_text(after.m - before.m) + "," + signed_text(after.n - before.n) + ")",
+                *move.before,
+                *move.after};
+  for (const mesh::BasicOperation& operation : move.script) {
+    ++(operation.kind == Kind::split ? edge.splits : operation.kind == Kind::collapse ? edge.collapses : edge.flips);
+  }
+  return edge;
+}
 
 // Adds a found grid to a figure. `place` puts a labelling somewhere; two labellings of one configuration that get two
 // places make a node and its copy. Edges join the labellings that a move goes between.
-void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const std::string& colour,
-              const std::function<Place(const Configuration&)>& place) {
+void add_grid(GridFigure& figure, const Exploration& found, const theory::IntegerVector& sides,
+              const std::string& prefix, const PlaceOf& place) {
+  const int grid = static_cast<int>(figure.grids.size());
+  const Configuration& any = found.nodes.at(0).reading.configuration;
+  const Parity parity = !found.type.symmetric()          ? Parity::none
+                        : (any.d1() + any.d2()) % 2 == 0 ? Parity::even
+                                                         : Parity::odd;
+  figure.grids.push_back({found.type, sides, parity});
   std::map<std::pair<long, long>, int> node_at;
   const auto key = [](Place at) { return std::pair{std::lround(at[0] * 1024), std::lround(at[1] * 1024)}; };
   const auto add_node = [&](const Configuration& labelling, std::size_t found_node, int same_as) {
     const auto [it, is_new] = node_at.emplace(key(place(labelling)), static_cast<int>(figure.nodes.size()));
     if (is_new) {
       const auto& node = found.nodes[found_node];
-      figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(found.type, labelling), place(labelling),
-                              colour, same_as, node.reading.configuration, node.region.mesh.face_count(), node.signature});
+      figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(found.type, labelling),
+                              place(labelling), grid, same_as, labelling, node.region, node.reading.frames.at(0).frame,
+                              node.signature});
     }
     return it->second;
   };
   for (std::size_t i = 0; i < found.nodes.size(); ++i) {
     const Configuration& c = found.nodes[i].reading.configuration;
     const int node = add_node(c, i, -1);
-    if (found.type.symmetric() && c.degenerate() && !c.merged()) add_node(theory::other_labelling(found.type, c), i, node);
+    if (found.type.symmetric() && c.degenerate() && !c.merged())
+      add_node(theory::other_labelling(found.type, c), i, node);
   }
-  // A move and its inverse join the same two places: keep the first met.
-  std::set<std::pair<int, int>> drawn;
+  // A move and its inverse join the same two places: keep the first met. Where places are shared by labellings, two
+  // edges may join the same two nodes, or one with itself; as many moves as their number say so, each met twice.
+  std::map<std::pair<int, int>, int> drawn;
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
     const auto from = node_at.find(key(place(move.before.value())));
     const auto to = node_at.find(key(place(move.after.value())));
     if (from == node_at.end() || to == node_at.end()) throw std::logic_error("a move leaves the grid");
     const std::pair<int, int> ends = std::minmax(from->second, to->second);
-    if (!drawn.insert(ends).second) continue;
-    figure.edges.push_back({from->second, to->second, mesh::name(move.move.step), move.operations,
-                            move.faces_made - move.faces_deleted, colour});
+    // Of the moves between two nodes, those from the lesser one are the edges; of a self-loop's two, the first is.
+    const int met = ++drawn[ends];
+    if (from->second == to->second ? met % 2 == 0 : from->second != ends.first) continue;
+    figure.edges.push_back(edge_of(found.type, from->second, to->second, move));
   }
 }
 
 // The regular region of side `length` and the next smaller one, if it holds a pair.
 std::vector<int> two_lengths(int length) {
-  if (length < 3) throw std::invalid_argument("a regular region of side " + std::to_string(length) + " holds no pair; the least side is 3");
+  if (length < 3) {
+    throw std::invalid_argument("a regular region of side " + std::to_string(length) +
+                                " holds no pair; the least side is 3");
+  }
   return length == 3 ? std::vector<int>{3} : std::vector<int>{length, length - 1};
 }
 
@@ -69,17 +100,29 @@ std::string sides_text(int length) {
   return text;
 }
 
-Exploration explore_regular(PairType type, int length) {
-  return enumerate::explore_all(type, theory::IntegerVector::Constant(type.side_count(), length), theory::Apex::with);
+void add_regular(GridFigure& figure, PairType type, int length, const PlaceOf& place) {
+  const auto sides = theory::IntegerVector::Constant(type.side_count(), length);
+  add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::with), sides, "L" + std::to_string(length) + "_",
+           place);
+}
+
+// The axis of (x,0,p) is that of (0,x,p+1): axes p of 1, 2, ... a fixed angle apart, quadrant p between axes p and p -
+// 1, p increasing clockwise.
+Place on_axes(const Configuration& c, double first, double apart, double x, double y) {
+  const double u = first - apart * (c.p - 1), v = u + apart;
+  const auto m = static_cast<double>(c.d1()), n = static_cast<double>(c.d2());
+  return {x + m * std::cos(u) + n * std::cos(v), y + m * std::sin(u) + n * std::sin(v)};
+}
+Place on_half_cube(const Configuration& c, double shift) {
+  return on_axes(c, std::numbers::pi / 2, std::numbers::pi * 2 / 3, shift, 0);
 }
 
 }  // namespace
 
 GridFigure figure_10(int length) {
-  GridFigure figure{"Figure 10: configurations of a 3-3 pair in regular digons of side " + sides_text(length), {}, {}};
+  GridFigure figure{"Configurations of a 3-3 pair in regular digons of side " + sides_text(length), {}, {}, {}};
   for (const int l : two_lengths(length)) {
-    const Exploration found = explore_regular(theory::kDigon, l);
-    add_grid(figure, found, "L" + std::to_string(l) + "_", parity_colour(l), [](const Configuration& c) -> Place {
+    add_regular(figure, theory::kDigon, l, [](const Configuration& c) -> Place {
       return {static_cast<double>(c.d1() - c.d2()), static_cast<double>(c.d1() + c.d2())};
     });
   }
@@ -87,23 +130,10 @@ GridFigure figure_10(int length) {
 }
 
 GridFigure figure_11(int length) {
-  GridFigure figure{"Figure 11: configurations of a 5-5 pair in regular hexagons of side " + sides_text(length), {}, {}};
+  GridFigure figure{"Configurations of a 5-5 pair in regular hexagons of side " + sides_text(length), {}, {}, {}};
   for (const int l : two_lengths(length)) {
-    const Exploration found = explore_regular(theory::kHexagon, l);
-    const double shift = l == length ? 0.0 : 0.87 * (2 * length - 5) + 2;  // beside the first
-    // The axis of (x,0,p) is that of (0,x,p+1): three axes, quadrant p between axis p and axis p - 1, p increasing
-    // clockwise.
-    const auto axis = [](int p) -> Place {
-      const double angle = std::numbers::pi * (0.5 - 2.0 / 3.0 * (p - 1));
-      return {std::cos(angle), std::sin(angle)};
-    };
-    add_grid(figure, found, "L" + std::to_string(l) + "_", parity_colour(l), [=](const Configuration& c) -> Place {
-      const Place u = axis(c.p);
-      const Place v = axis(c.p - 1);
-      const auto m = static_cast<double>(c.d1());
-      const auto n = static_cast<double>(c.d2());
-      return {shift + m * u[0] + n * v[0], m * u[1] + n * v[1]};
-    });
+    const double shift = l == length ? 0.0 : 0.87 * (2 * length - 5) + 1.2;  // beside the first
+    add_regular(figure, theory::kHexagon, l, [=](const Configuration& c) { return on_half_cube(c, shift); });
   }
   return figure;
 }
@@ -112,19 +142,57 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   if (d1 < 0 || d2 < 0 || d1 + d2 == 0 || m < 1 || n < 1) {
     throw std::invalid_argument("a 3-5 region needs d1, d2 >= 0, not both 0, and M, N >= 1");
   }
-  const theory::PairType type = theory::kQuad;
+  const PairType type = theory::kQuad;
   Configuration first;
   first.parameters = {d1, d2, theory::IntegerVector::Ones(4)};
   first.parameters.e(2) = m;  // e1 + e3 = M + 1, e2 + e4 = N + 1
   first.parameters.e(3) = n;
   const theory::IntegerVector sides = theory::region_sides(type, first);
-  GridFigure figure{"Figure 12: configurations of a 3-5 pair in a region with sides", {}, {}};
+  GridFigure figure{"Configurations of a 3-5 pair in a region with sides", {}, {}, {}};
   for (const auto side : sides) figure.title += " " + std::to_string(side);
-  const Exploration found = enumerate::explore_all(type, sides, theory::Apex::without);
-  add_grid(figure, found, "n", kBlue, [type](const Configuration& c) -> Place {
-    const theory::GridPoint at = theory::grid_point(type, theory::canonical(type, c));
-    return {static_cast<double>(at.m), static_cast<double>(at.n)};
-  });
+  add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::without), sides, "n",
+           [type](const Configuration& c) -> Place {
+             const theory::GridPoint at = grid_point_of(type, c);
+             return {static_cast<double>(at.m), static_cast<double>(at.n)};
+           });
+  return figure;
+}
+
+GridFigure hexagon_figure(const std::vector<theory::Integer>& sides) {
+  GridFigure figure{"Configurations of a 5-5 pair in a hexagon with sides", {}, {}, {}};
+  for (const auto side : sides) figure.title += " " + std::to_string(side);
+  const theory::IntegerVector lengths = theory::to_vector(sides);
+  theory::require_sides(theory::kHexagon, lengths);
+  if (theory::parameter_set(theory::kHexagon, lengths).empty()) {
+    throw std::invalid_argument("a hexagon with these sides holds no 5-5 pair");
+  }
+  add_grid(figure, enumerate::explore_all(theory::kHexagon, lengths, theory::Apex::with), lengths, "n",
+           [](const Configuration& c) { return on_half_cube(c, 0); });
+  return figure;
+}
+
+GridFigure unfolded_figure(int length) {
+  two_lengths(length);
+  GridFigure figure{
+      "The half cube of the regular hexagon of side " + std::to_string(length) + ", laid flat", {}, {}, {}};
+  add_regular(figure, theory::kHexagon, length,
+              [](const Configuration& c) { return on_axes(c, std::numbers::pi / 2, std::numbers::pi / 2, 0, 0); });
+  return figure;
+}
+
+GridFigure dual_figure(PairType type, int length) {
+  if (!type.symmetric()) throw std::invalid_argument("dual grids are those of two equal irregular vertices");
+  GridFigure figure{
+      "Two grids that are dual: a " + type.name() + " pair in regions of side " + sides_text(length), {}, {}, {}};
+  const int quadrants = type.rotation_count();
+  for (const int l : two_lengths(length)) {
+    add_regular(figure, type, l, [quadrants](const Configuration& c) -> Place {
+      if (c.merged()) return {0, 0};
+      const double level = static_cast<double>(c.d1() + c.d2());
+      const double turn = (c.p - static_cast<double>(c.d2()) / level) / quadrants;
+      return {level * std::sin(2 * std::numbers::pi * turn), level * std::cos(2 * std::numbers::pi * turn)};
+    });
+  }
   return figure;
 }
 

@@ -1,4 +1,4 @@
-// The grids of Figures 10, 11 and 12 as drawings: configurations found by moves, at the places the paper gives them.
+// Configuration graphs as figures: configurations found by moves, at the places that a picture gives them.
 #pragma once
 
 #include <array>
@@ -6,42 +6,75 @@
 #include <vector>
 
 #include "enumerate/exploration.hpp"
+#include "figures/mesh_picture.hpp"
 
 namespace requad::figures {
 
 struct GridNode {
-  std::string name;         // unique in the figure
-  std::string label;        // "(m,n)" or "(m,n,p)"
-  std::array<double, 2> at; // in grid units, y upwards
-  std::string colour;       // a Graphviz colour
-  int same_as = -1;         // the node of which this is a second copy, or -1
-  theory::Configuration configuration;
-  int faces = 0;
+  std::string name;                     // unique in the figure
+  std::string label;                    // "(m,n)" or "(m,n,p)"
+  std::array<double, 2> at;             // in grid units, y upwards
+  int grid = 0;                         // which of the figure's grids
+  int same_as = -1;                     // the node of which this is a second copy, or -1
+  theory::Configuration configuration;  // the labelling that is drawn here; a copy's is another one than its original's
+  mesh::Region region;
+  mesh::PairFrame frame;  // of the pair; of the merged vertex, with a = b = 0
   std::string signature;
+
+  int faces() const { return region.mesh.face_count(); }
 };
 
 struct GridEdge {
   int from = -1;
   int to = -1;
-  std::string step;    // the pair move from `from` to `to`
-  int operations = 0;  // basic operations of that move
-  int faces = 0;       // faces made minus faces deleted by it
-  std::string colour;
+  std::string step;              // the pair move from `from` to `to`, as mesh::name() says
+  std::string direction;         // what it adds to the label: "(+1,-1)"
+  theory::Configuration before;  // the labellings that the step goes between
+  theory::Configuration after;
+  int splits = 0;  // basic operations of that move; a split makes a face, a collapse deletes one
+  int collapses = 0;
+  int flips = 0;
+
+  int operations() const { return splits + collapses + flips; }
+  int faces() const { return splits - collapses; }  // made minus deleted
+};
+
+// Of d1 + d2, which moves of a 3-3 or 5-5 pair keep; of no interest for a 3-5 pair.
+enum class Parity { even, odd, none };
+
+// One grid of a figure: all configurations of a pair in one region.
+struct Grid {
+  theory::PairType type;
+  theory::IntegerVector sides;
+  Parity parity;
+
+  Colour colour() const {
+    return parity == Parity::even ? ink::kRed : parity == Parity::odd ? ink::kBlue : ink::kGreen;
+  }
 };
 
 struct GridFigure {
   std::string title;
+  std::vector<Grid> grids;
   std::vector<GridNode> nodes;
   std::vector<GridEdge> edges;
 };
 
-// Figure 10: the grids of the regular digons of side L (even: red, odd: blue) and L - 1 on one rotated grid, (m,n) at
-// (m - n, m + n). (x,0) and (0,x) are one configuration: the second is drawn too, as a copy that names the first.
+// Figure 10: the grids of the regular digons of side L and L - 1 on one rotated grid, (m,n) at (m - n, m + n). (x,0)
+// and (0,x) are one configuration: the second is drawn too, as a copy that names the first.
 GridFigure figure_10(int length);
 // Figure 11: the grids of the regular hexagons of side L and L - 1 as half cubes in projection, side by side.
 GridFigure figure_11(int length);
-// Figure 12: the grid of a region with a 3-5 pair, d1 x d2 = R_alpha, M x N configurations.
+// Figure 12: the grid of a region with a 3-5 pair, d1 x d2 = R_alpha, M x N configurations, (m,n) at (m,n).
 GridFigure figure_12(int d1, int d2, int m, int n);
+
+// The half cube of any hexagon, its grid alone.
+GridFigure hexagon_figure(const std::vector<theory::Integer>& sides);
+// The regular hexagon's half cube cut open along one edge and laid flat: three quadrants, the cut drawn twice.
+GridFigure unfolded_figure(int length);
+// The grids of side L and L - 1 over each other, each of their cones opened to a disk: level s = m + n is the circle of
+// radius s. Each edge of one grid crosses one of the other, its dual.
+GridFigure dual_figure(theory::PairType type, int length);
 // All throw std::invalid_argument where there is no such region.
 
 }  // namespace requad::figures

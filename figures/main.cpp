@@ -6,27 +6,37 @@
 
 #include <nlohmann/json.hpp>
 
+#include "figures/catalogue.hpp"
+#include "figures/graph_files.hpp"
 #include "mesh/options.hpp"
-#include "figures/graphviz.hpp"
 
 namespace {
 
 using namespace requad;
 using program::UsageError;
 
-constexpr const char* kHelp = R"(requad-figures: the configuration grids of the paper, from meshes that pair moves made
+constexpr const char* kHelp = R"(requad-figures: the paper's figures, and some more, from computed meshes
 
-  requad-figures [--figure N]... [--format dot|svg|pdf|png]... [-o DIR]
+  requad-figures [--figure ID]... [--format svg|pdf|png|dot|graphml]... [-o DIR]
 
-  --figure 10|11|12   which figure; may be repeated (default: all)
-      10   3-3 pairs in regular digons of side L and L-1, a rotated grid; even sides red, odd sides blue;
-           (0,x) is drawn dashed: it is the same configuration as (x,0)
-      11   5-5 pairs in regular hexagons of side L and L-1, half cubes in projection
-      12   a 3-5 pair in a region, a grid
-  --side L            side length for figures 10 (default 8) and 11 (default 6), 3..40
+  --figure ID         which figure; may be repeated (default: all)
+      2 3 4 5 6 7 8   operations before and after
+      10              3-3 pairs in regular digons of side L and L-1, the mesh of each configuration at its node
+      11              5-5 pairs in regular hexagons of side L and L-1, half cubes in projection
+      12              a 3-5 pair in a region, a grid
+      13 14           turns, smallest regions, separatrices, strips and sides
+      dual-10 dual-11 the two grids over each other
+      unfolded-11     the half cube laid flat
+      hexagon         the grid of any hexagon
+      octagon         the (L-1)^2 places of a single v8
+  --side L            side length for 10, 11 and the duals (default 6), unfolded-11 (5) and the octagon (4), 3..40; the
+                      time of a picture grows as L^4 and more
   --pair-region D1,D2,M,N   for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)
-  --format F          dot, svg, pdf or png; may be repeated (default: dot and svg)
-  -o DIR              folder for the files figure-N.F (default .)
+  --sides E1,...,E6   for the hexagon (default 4,5,4,4,5,4)
+  --format F          svg, pdf, png for all; dot and graphml for grids: 10 11 12 dual-10 dual-11 unfolded-11 hexagon.
+                      May be repeated (default: svg, and dot for grids)
+  --page              also write DIR/README.md, a page with all figures, their captions and commands
+  -o DIR              folder for the files (default .)
   --json FILE|-       what was written
   --quiet  --help  --version
 
@@ -34,6 +44,7 @@ Examples:
   requad-figures -o pictures
   requad-figures --figure 11 --side 8 --format svg
   requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png
+  requad-figures --figure hexagon --sides 3,4,5,4,3,5 --format pdf
 )";
 
 std::vector<std::string> choose(const program::Options& options, const char* name, std::vector<std::string> fallback,
@@ -50,44 +61,79 @@ std::vector<std::string> choose(const program::Options& options, const char* nam
 }
 
 int main_body(int argc, char** argv) {
-  const program::Options options(argc, argv, {{}, {"side", "pair-region", "output,o"}, {"figure", "format"}});
+  const program::Options options(argc, argv,
+                                 {{"page"}, {"side", "sides", "pair-region", "output,o"}, {"figure", "format"}});
   if (program::answered(options, "requad-figures", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
-  const auto numbers = choose(options, "figure", {"10", "11", "12"}, {"10", "11", "12"});
-  const auto formats = choose(options, "format", {"dot", "svg"}, {"dot", "svg", "pdf", "png"});
-  const auto side = [&options](int fallback) { return static_cast<int>(options.integer("side", fallback, 3, 40)); };
+  std::vector<std::string> ids;
+  for (const figures::CatalogueEntry& entry : figures::catalogue()) ids.emplace_back(entry.id);
+  const auto chosen = choose(options, "figure", ids, ids);
+  const auto formats = choose(options, "format", {"svg", "dot"}, {"svg", "pdf", "png", "dot", "graphml"});
+  figures::Choices choices;
+  if (options.has("side")) choices.side = static_cast<int>(options.integer("side", 0, 3, 40));
   const auto shape = program::parse_integers(options.text("pair-region", "2,1,4,3"), "--pair-region");
   if (shape.size() != 4) throw UsageError("--pair-region: expected D1,D2,M,N");
-  for (const std::int64_t x : shape) {
-    if (x < 0 || x > 30) throw UsageError("--pair-region: " + std::to_string(x) + " is not in 0..30");
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (shape[i] < 0 || shape[i] > 30)
+      throw UsageError("--pair-region: " + std::to_string(shape[i]) + " is not in 0..30");
+    choices.pair_region[i] = static_cast<int>(shape[i]);
+  }
+  if (options.has("sides")) {
+    choices.sides = program::parse_integers(options.text("sides"), "--sides");
+    for (const std::int64_t side : choices.sides) {
+      if (side < 1 || side > 40) throw UsageError("--sides: " + std::to_string(side) + " is not in 1..40");
+    }
   }
   const std::string folder = options.text("output", ".");
   // All figures before the first file: nothing is written if one of them can not be made.
-  std::vector<figures::GridFigure> made;
-  for (const std::string& number : numbers) {
-    figures::GridFigure figure;
-    if (number == "10") figure = figures::figure_10(side(8));
-    if (number == "11") figure = figures::figure_11(side(6));
-    if (number == "12") {
-      figure = figures::figure_12(static_cast<int>(shape[0]), static_cast<int>(shape[1]), static_cast<int>(shape[2]), static_cast<int>(shape[3]));
+  struct Made {
+    const figures::CatalogueEntry* entry;
+    figures::Picture picture;
+  };
+  std::vector<Made> made;
+  for (const figures::CatalogueEntry& entry : figures::catalogue()) {
+    if (std::find(chosen.begin(), chosen.end(), entry.id) != chosen.end())
+      made.push_back({&entry, entry.make(choices)});
+  }
+  const auto is_graph = [](const std::string& format) { return format == "dot" || format == "graphml"; };
+  if (options.has("format") && options.has("figure")) {
+    for (const Made& m : made) {
+      if (!m.entry->is_grid && std::all_of(formats.begin(), formats.end(), is_graph)) {
+        throw UsageError(std::string("--figure ") + m.entry->id + " is no graph: expected --format svg, pdf or png");
+      }
     }
-    made.push_back(std::move(figure));
   }
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw UsageError(folder + ": " + error.message());
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    const figures::GridFigure& figure = made[i];
-    const std::string& number = numbers[i];
+  const auto write = [&](const std::string& name, const std::string& text, const std::string& title,
+                         nlohmann::ordered_json about) {
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    program::write_text(path, text);
+    about["file"] = path;
+    about["title"] = title;
+    files.push_back(std::move(about));
+    if (!options.quiet() && !options.on_stdout("json")) std::cout << path << ": " << title << "\n";
+  };
+  for (const Made& m : made) {
     for (const std::string& format : formats) {
-      const std::string path = (std::filesystem::path(folder) / ("figure-" + number + "." + format)).string();
-      program::write_text(path, format == "dot" ? figures::to_dot(figure) : figures::render(figure, format));
-      files.push_back({{"figure", number}, {"file", path}, {"title", figure.title}, {"nodes", figure.nodes.size()}, {"edges", figure.edges.size()}});
-      if (!options.quiet() && !options.on_stdout("json")) std::cout << path << ": " << figure.title << "\n";
+      if (is_graph(format) && !m.picture.grid) continue;
+      nlohmann::ordered_json about{{"figure", m.entry->id}};
+      if (m.picture.grid) {
+        about["nodes"] = m.picture.grid->nodes.size();
+        about["edges"] = m.picture.grid->edges.size();
+      }
+      write(m.entry->file() + "." + format,
+            format == "dot"       ? figures::to_dot(*m.picture.grid)
+            : format == "graphml" ? figures::to_graphml(*m.picture.grid)
+                                  : figures::render(m.picture.paint, format),
+            m.picture.grid ? m.picture.grid->title : m.entry->title, std::move(about));
     }
   }
-  if (options.has("json")) program::write_text(options.text("json"), nlohmann::ordered_json{{"files", files}}.dump() + "\n");
+  if (options.has("page")) write("README.md", figures::gallery_page(), "Gallery", nlohmann::ordered_json::object());
+  if (options.has("json"))
+    program::write_text(options.text("json"), nlohmann::ordered_json{{"files", files}}.dump() + "\n");
   return program::kDone;
 }
 

@@ -85,6 +85,10 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"figures", "--side 2"},
       {"figures", "--pair-region 1,2,3"},
       {"figures", "--pair-region 0,0,3,3"},
+      {"figures", "--figure 2 --format dot"},
+      {"figures", "--figure hexagon --sides 4,4,4"},
+      {"figures", "--figure hexagon --sides 1,1,1,1,1,9"},
+      {"figures", "--figure hexagon --sides 4,4,4,4,4,99"},
       {"figures", "-o /dev/null/x"}};
   for (const auto& [program, arguments] : calls) {
     INFO("requad-" << program << " " << arguments);
@@ -253,8 +257,9 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
 }
 
 TEST_CASE("requad-figures writes what it says", "[programs]") {
-  const Outcome made = call("figures", "-o pictures");
+  const Outcome made = call("figures", "-o pictures --page");
   CHECK(made.code == 0);
+  CHECK(std::count(made.out.begin(), made.out.end(), '\n') == 17 + 7 + 1);  // SVG of all, DOT of the grids, the page
   for (const std::string number : {"10", "11", "12"}) {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);

@@ -1,0 +1,30 @@
+// A panel: one mesh of a figure that has several, with its marks and the words below it.
+#pragma once
+
+#include "figures/mesh_picture.hpp"
+
+namespace requad::figures {
+
+struct Panel {
+  mesh::Region region;
+  std::vector<std::string> words = {};
+  std::vector<mesh::FaceId> stay = {};  // strips that stay
+  std::vector<mesh::FaceId> grey = {};
+  std::vector<mesh::FaceId> blue = {};
+  std::vector<mesh::FaceId> made = {};
+  std::vector<mesh::FaceId> deleted = {};
+  struct Line {
+    std::vector<mesh::HalfEdgeId> path;
+    Stroke stroke;
+    bool arrow = false;  // at its end
+  };
+  std::vector<Line> lines = {};
+  std::vector<mesh::VertexId> dots = {};  // regular vertices to be seen
+};
+
+inline constexpr Stroke kGreenLine{ink::kGreen, 2.4};
+
+// With edges about `unit` long; the words below, `text` points high.
+void paint_panel(Canvas& canvas, const Panel& panel, Point centre, double unit, double angle = 0, double text = 10);
+
+}  // namespace requad::figures
