@@ -34,4 +34,22 @@ Separatrix trace(const QuadMesh& m, HalfEdgeId h) {
   }
 }
 
+// A step looks at the two faces beside the edge and the two beyond its end: the way on by the left, h, west, north, and
+// by the right, back, east, north, is the same iff the end is interior and has four edges.
+Arrival follow(const QuadMesh& m, HalfEdgeId h, int most) {
+  int length = 1;
+  for (; length < most; ++length) {
+    const HalfEdgeId back = m.twin(h);
+    const HalfEdgeId from_west = m.twin(QuadMesh::next(h));
+    if (!back.valid() || !from_west.valid()) break;
+    const HalfEdgeId north = QuadMesh::next(from_west);
+    const HalfEdgeId east = m.twin(QuadMesh::previous(back));
+    if (!east.valid() || north == back || m.twin(QuadMesh::previous(east)) != north) break;
+    h = north;
+  }
+  const VertexId v = m.target(h);
+  if (m.is_boundary(v)) return {h, length, Separatrix::End::boundary};
+  return {h, length, m.face_valence(v) == 4 ? Separatrix::End::closed : Separatrix::End::irregular};
+}
+
 }  // namespace requad::mesh

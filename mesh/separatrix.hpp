@@ -11,6 +11,16 @@ namespace requad::mesh {
 bool is_irregular(const QuadMesh& mesh, VertexId v);
 std::vector<VertexId> irregular_vertices(const QuadMesh& mesh);
 
+// Whether the vertex that h leaves is interior and of valence 4: three or four steps round it, and no other. h is live.
+inline bool is_regular_at(const QuadMesh& mesh, HalfEdgeId h) {
+  const HalfEdgeId second = mesh.ccw(h);
+  if (!second.valid()) return false;
+  const HalfEdgeId third = mesh.ccw(second);
+  if (!third.valid() || third == h) return false;
+  const HalfEdgeId fourth = mesh.ccw(third);
+  return fourth.valid() && fourth != h && mesh.ccw(fourth) == h;
+}
+
 // The straight path that starts with h, as half-edges; every vertex between its ends is interior and regular.
 struct Separatrix {
   enum class End { boundary, irregular, closed };
@@ -20,5 +30,14 @@ struct Separatrix {
 };
 // O(length); ends after at most one visit of each half-edge. Precondition: h is live.
 Separatrix trace(const QuadMesh& mesh, HalfEdgeId h);
+
+// Where trace() ends, without the path: the half-edge by which it arrives, and how long it is. `most` >= 1 edges are
+// walked at the most; a path that goes on, closed ones among them, ends `closed` there. O(length), no allocation.
+struct Arrival {
+  HalfEdgeId last;
+  int length = 0;
+  Separatrix::End end = Separatrix::End::boundary;
+};
+Arrival follow(const QuadMesh& mesh, HalfEdgeId h, int most);
 
 }  // namespace requad::mesh
