@@ -93,51 +93,53 @@ class Walker {
     }
   }
 
-  // Traces all separatrices of a vertex, counter-clockwise from out(v). False if that is impossible.
-  bool trace_all(VertexId v, std::array<Crossing, theory::kMostSeparatrices>& crossings,
-                 std::array<HalfEdgeId, theory::kMostSeparatrices>& starts, int& count, VertexId other) {
-    count = 0;
-    const HalfEdgeId first = m_.out(v);
-    HalfEdgeId h = first;
-    do {
-      if (count == theory::kMostSeparatrices) return false;
-      const mesh::Arrival end = mesh::follow(m_, h, m_.half_edge_capacity());
-      result_.traced += end.length;
-      const VertexId at = m_.target(end.last);
-      Crossing crossing{-1, -1, end.length};
-      if (end.end == mesh::Separatrix::End::boundary) {
+  // The separatrices of the pair, those of pair_[1] from count_[0] on, each vertex's counter-clockwise from out(v).
+  // False if there are too many, or one ends neither at the boundary nor at the other vertex.
+  bool trace_all() {
+    std::size_t n = 0;
+    const std::size_t vertices = pair_[0] == pair_[1] ? 1 : 2;
+    count_ = {0, 0};
+    for (std::size_t i = 0; i < vertices; ++i) {
+      const VertexId v = pair_[i];
+      if (!m_.is_live(v) || m_.is_boundary(v)) return false;
+      HalfEdgeId h = m_.out(v);
+      do {
+        if (n == starts_.size()) return false;
+        starts_[n] = h;
+        arrivals_[n].last = h;
+        ++n, ++count_[i];
+        h = m_.ccw(h);
+      } while (h != m_.out(v));
+    }
+    mesh::follow(m_, std::span(arrivals_).first(n), m_.half_edge_capacity());
+    for (std::size_t i = 0; i < n; ++i) {
+      const mesh::Arrival& arrival = arrivals_[i];
+      result_.traced += arrival.length;
+      const VertexId at = m_.target(arrival.last);
+      Crossing& crossing = crossings_[i];
+      crossing = {-1, -1, arrival.length};
+      if (arrival.end == mesh::Separatrix::End::boundary) {
         if (at.slot() >= positions_.size()) return false;
         crossing.side = positions_[at.slot()].side;
         crossing.distance = positions_[at.slot()].distance;
-      } else if (at != other) {
+      } else if (vertices == 1 || at != pair_[i < count_[0] ? 1 : 0]) {
         return false;
       }
-      crossings[static_cast<std::size_t>(count)] = crossing;
-      starts[static_cast<std::size_t>(count)] = h;
-      ++count;
-      h = m_.ccw(h);
-    } while (h.valid() && h != first);
-    return h.valid();
+    }
+    return true;
   }
 
   // Reads off the mesh where it is, by the pair's separatrices.
   bool identify(const char* after) {
     ++result_.identifications;
     Here found;
-    std::array<std::array<Crossing, theory::kMostSeparatrices>, 2> crossings;
-    std::array<std::array<HalfEdgeId, theory::kMostSeparatrices>, 2> starts;
-    std::array<int, 2> count{};
     const bool merged = pair_[0] == pair_[1];
-    bool traced = true;
-    for (std::size_t i = 0; i < (merged ? 1 : 2); ++i) {
-      traced = traced && m_.is_live(pair_[i]) && !m_.is_boundary(pair_[i]) &&
-               trace_all(pair_[i], crossings[i], starts[i], count[i], pair_[1 - i]);
-    }
+    const bool traced = trace_all();
     const auto vector = [&](std::size_t i) {
-      return std::span<const Crossing>(crossings[i]).first(static_cast<std::size_t>(count[i]));
+      return std::span<const Crossing>(crossings_).subspan(i == 0 ? 0 : count_[0], count_[i]);
     };
     const auto start = [&](std::size_t i, int separatrix) {
-      return starts[i][static_cast<std::size_t>(separatrix % count[i])];
+      return starts_[(i == 0 ? 0 : count_[0]) + static_cast<std::size_t>(separatrix)];
     };
     if (traced && merged && type_.symmetric()) {
       const int first = theory::locate_merged(table_.sides(), vector(0));
@@ -147,7 +149,7 @@ class Walker {
         found.frame = {h, m_.ccw(h), pair_[0], pair_[0], 0, 0};
         found.number = table_.find(found.place);
       }
-    } else if (traced && !merged && count[0] == type_.l1 && count[1] == type_.l2) {
+    } else if (traced && !merged && count_ == std::array{static_cast<std::size_t>(type_.l1), static_cast<std::size_t>(type_.l2)}) {
       if (const auto located = theory::locate(type_, table_.sides(), vector(0), vector(1))) {
         const theory::Labelling& l = located->labelling;
         found.place.p = l.p;
@@ -263,6 +265,11 @@ class Walker {
   const WalkProgress& progress_;
   std::array<VertexId, 2> pair_;
   Here here_;
+  // The separatrices as traced last.
+  std::array<HalfEdgeId, 2 * theory::kMostSeparatrices> starts_;
+  std::array<mesh::Arrival, 2 * theory::kMostSeparatrices> arrivals_;
+  std::array<Crossing, 2 * theory::kMostSeparatrices> crossings_;
+  std::array<std::size_t, 2> count_{};
   std::vector<std::uint8_t> tried_;     // by number: a bit for each slot
   std::vector<std::uint8_t> way_back_;  // by number: the slot that leads towards the start
   std::int64_t visited_since_ = 0;

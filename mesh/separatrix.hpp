@@ -1,6 +1,7 @@
 // Separatrices (Definition 7.7): straight paths that start at an irregular vertex.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesh/quad_mesh.hpp"
@@ -31,13 +32,15 @@ struct Separatrix {
 // O(length); ends after at most one visit of each half-edge. Precondition: h is live.
 Separatrix trace(const QuadMesh& mesh, HalfEdgeId h);
 
-// Where trace() ends, without the path: the half-edge by which it arrives, and how long it is. `most` >= 1 edges are
-// walked at the most; a path that goes on, closed ones among them, ends `closed` there. O(length), no allocation.
+// Where trace() ends, without the path.
 struct Arrival {
-  HalfEdgeId last;
-  int length = 0;
+  HalfEdgeId last;  // the half-edge by which it arrives
+  int length = 1;
   Separatrix::End end = Separatrix::End::boundary;
 };
-Arrival follow(const QuadMesh& mesh, HalfEdgeId h, int most);
+// Follows several paths, each from the half-edge that its `last` is. `most` >= 1 edges are walked of each at the most; one
+// that goes on, closed ones among them, ends `closed` there. The paths advance side by side, since a step is nothing but
+// waiting for memory. O(sum of lengths), no allocation.
+void follow(const QuadMesh& mesh, std::span<Arrival> paths, int most);
 
 }  // namespace requad::mesh
