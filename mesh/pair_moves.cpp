@@ -388,8 +388,16 @@ std::optional<PairFrame> frame_after(const QuadMesh& m, Ends ends, Extents exten
       if (!towards.valid() || m.target(h) == towards) found = PairFrame{h, m.ccw(h), ends.p, ends.p, 0, 0};
       return;
     }
-    const auto frame = frame_at(m, h, extents.a, extents.b);
-    if (frame && frame->v2 == ends.q) found = frame;
+    // One way round the rectangle tells the legs from the other edges; the other way is for the one that has arrived.
+    std::optional<HalfEdgeId> way = extents.a > 0 ? walk(m, h, extents.a) : m.ccw(h);
+    if (way && extents.a > 0 && extents.b > 0) {
+      way = m.is_boundary(m.target(*way)) ? std::nullopt : walk(m, QuadMesh::next(*way), extents.b);
+    } else if (extents.b > 0) {
+      way = walk(m, m.ccw(h), extents.b);
+    }
+    if (!way || m.target(*way) != ends.q) return;
+    found = frame_at(m, h, extents.a, extents.b);
+    if (found && found->v2 != ends.q) found.reset();
   });
   return found;
 }
