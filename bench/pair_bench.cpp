@@ -4,6 +4,8 @@
 
 #include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
+#include "enumerate/walk.hpp"
+#include "mesh/separatrix.hpp"
 #include "mesh/signature.hpp"
 
 namespace {
@@ -66,5 +68,46 @@ void exploration(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(exploration)->DenseRange(6, 24, 6)->Unit(benchmark::kMillisecond)->Complexity();
+
+// Does a walk over all configurations of a regular digon, each identified by its separatrices, grow with the cube of its
+// side? (Time for a basic operation: what the operations and the tracing of separatrices cost together.)
+void walk(benchmark::State& state) {
+  const theory::ConfigurationTable table(theory::kDigon, theory::IntegerVector::Constant(2, state.range(0)));
+  const mesh::Region start = enumerate::glue_region(theory::kDigon, table.smallest());
+  enumerate::WalkResult result;
+  for (auto _ : state) {
+    result = enumerate::walk(table, start);
+    if (!result.complete()) state.SkipWithError("incomplete");
+  }
+  state.SetItemsProcessed(state.iterations() * result.operations);
+  state.counters["moves"] = static_cast<double>(result.moves);
+  state.counters["operations"] = static_cast<double>(result.operations);
+  state.counters["traced"] = static_cast<double>(result.traced);
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(walk)->RangeMultiplier(2)->Range(25, 400)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oNCubed);
+
+// What does a pair move without a report cost for each of its operations, by the distance of the pair?
+void mover_open_and_close(benchmark::State& state) {
+  const auto d = static_cast<int>(state.range(0));
+  mesh::Region region = digon(4 * d, d, d);
+  const auto v = mesh::irregular_vertices(region.mesh);
+  mesh::PairMove open{mesh::find_frames(region.mesh, v[0], v[1]).front(), mesh::PairStep::open};
+  mesh::PairMover mover(region.mesh);
+  std::int64_t operations = 0;
+  for (auto _ : state) {
+    const auto there = mover.move(open);
+    state.PauseTiming();
+    const auto close = mesh::PairMove{mesh::find_frames(region.mesh, there.v1, there.v2).front(), mesh::PairStep::close};
+    state.ResumeTiming();
+    const auto back = mover.move(close);
+    state.PauseTiming();
+    open.frame = mesh::find_frames(region.mesh, back.v1, back.v2).front();
+    state.ResumeTiming();
+    operations += there.operations + back.operations;
+  }
+  state.SetItemsProcessed(operations);
+}
+BENCHMARK(mover_open_and_close)->Arg(64)->Arg(256);
 
 }  // namespace

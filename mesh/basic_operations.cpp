@@ -132,10 +132,12 @@ Refusal why_not_collapse(const QuadMesh& m, HalfEdgeId h) {
   if (m.is_boundary(c)) return Refusal::boundary_corner;
   if (!can_lose_edge(m, b) || !can_lose_edge(m, d)) return Refusal::valence_too_low;
   if (m.adjacent(a, c)) return Refusal::edge_exists;
-  for (const VertexId x : m.neighbours(c)) {
-    if (x != b && x != d && m.adjacent(x, a)) return Refusal::edge_exists;
-  }
-  return Refusal::none;
+  bool doubles = false;
+  m.for_each_out(c, [&](HalfEdgeId x) {
+    const VertexId y = m.target(x);
+    doubles = doubles || (y != b && y != d && m.adjacent(a, y));
+  });
+  return doubles ? Refusal::edge_exists : Refusal::none;
 }
 
 void MeshSurgery::collapse(HalfEdgeId h) {
@@ -294,10 +296,14 @@ std::array<VertexId, 4> changed_vertices(const QuadMesh& m, const BasicOperation
 }
 
 Applied apply(QuadMesh& mesh, const BasicOperation& op) {
+  const Refusal refusal = why_not(mesh, op);
+  if (refusal != Refusal::none) return {refusal, {}, {}};
+  return apply_unchecked(mesh, op);
+}
+
+Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& op) {
   using Kind = BasicOperation::Kind;
   Applied done;
-  done.refusal = why_not(mesh, op);
-  if (done.refusal != Refusal::none) return done;
   switch (op.kind) {
     case Kind::flip_ccw:
       flip_unchecked(mesh, op.h, Turn::counter_clockwise);

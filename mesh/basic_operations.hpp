@@ -118,5 +118,7 @@ struct Applied {
   HalfEdgeId made;         // the flipped edge in face(h), or the split's v -> a; none for a collapse
 };
 Applied apply(QuadMesh& mesh, const BasicOperation& operation);
+// Precondition: why_not() says Refusal::none.
+Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
 
 }  // namespace requad::mesh

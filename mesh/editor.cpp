@@ -40,7 +40,7 @@ Applied Editor::perform(const BasicOperation& operation, Edit& edit) {
   edit.operates = true;
   edit.operation = operation;
   edit.changed = changed_vertices(mesh_, operation);
-  done = apply(mesh_, operation);
+  done = apply_unchecked(mesh_, operation);
   edit.inverse = done.inverse;
   if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
   if (positions_ != nullptr)
@@ -114,7 +114,7 @@ void Editor::roll_back(std::size_t mark) {
   while (edits_.size() > mark) {
     const Edit& edit = edits_.back();
     for (auto p = edit.placements.rbegin(); p != edit.placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
-    if (edit.operates) apply(mesh_, edit.inverse);
+    if (edit.operates) apply_unchecked(mesh_, edit.inverse);
     edits_.pop_back();
   }
 }

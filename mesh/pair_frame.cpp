@@ -22,7 +22,7 @@ bool regular(const QuadMesh& m, VertexId v) { return !m.is_boundary(v) && m.face
 
 std::optional<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, int steps) {
   for (int i = 1; i < steps; ++i) {
-    if (!regular(m, m.target(h))) return std::nullopt;
+    if (!is_regular_at(m, QuadMesh::next(h))) return std::nullopt;
     h = m.straight(h);
   }
   return h;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <unordered_set>
 #include <utility>
+
+#include "mesh/courier_plan.hpp"
+#include "mesh/separatrix.hpp"
 
 namespace requad::mesh {
 
@@ -49,90 +51,226 @@ Extents after(const QuadMesh& m, const PairMove& move) {
   return {-1, -1};
 }
 
+// The reason why_not() gives for a step whose next ends are regular vertices (of a split, the next v), by what is known of
+// them: all four vertices are interior, and only those beside the courier can be short of edges or joined already.
+inline Refusal why_not_step(const QuadMesh& m, const PlannedStep& step, CourierPlace courier) {
+  const auto neighbour_of_u = [&m, first = courier.at_u()](VertexId x) {
+    HalfEdgeId h = first;
+    do {
+      if (m.target(h) == x) return true;
+      h = m.ccw(h);
+    } while (h != first);
+    return false;
+  };
+  const VertexId u = courier.u(m);
+  if (step.operation.kind == BasicOperation::Kind::split) return Refusal::none;  // its sector was walked by the plan
+  const HalfEdgeId at_v = courier.at_v();
+  if (m.ccw(m.ccw(at_v)) == at_v) return Refusal::valence_too_low;
+  if (step.operation.kind != BasicOperation::Kind::collapse) {
+    // The edge between v and the next u turns, to join u and the next v.
+    return u == step.next_v || neighbour_of_u(step.next_v) ? Refusal::edge_exists : Refusal::none;
+  }
+  // u and the next v, across the face, become one: no edge between them, no neighbours in common but v and the next u.
+  if (neighbour_of_u(step.next_v)) return Refusal::edge_exists;
+  const VertexId v = courier.v(m);
+  HalfEdgeId h = step.at_v;
+  for (int i = 0; i < 4; ++i, h = m.ccw(h)) {
+    const VertexId x = m.target(h);
+    if (x != v && x != step.next_u && neighbour_of_u(x)) return Refusal::edge_exists;
+  }
+  return Refusal::none;
+}
+
+// Performs on a mesh alone and remembers nothing but what was done.
+class OnMesh {
+ public:
+  OnMesh(QuadMesh& mesh, std::vector<Applied>& log) : mesh_(mesh), log_(log) { log_.clear(); }
+
+  const QuadMesh& mesh() const { return mesh_; }
+  Applied run(const BasicOperation& op) {
+    const Applied done = apply(mesh_, op);
+    if (done.refusal == Refusal::none) log_.push_back(done);
+    return done;
+  }
+  // A step between regular vertices, both ends of the courier interior.
+  Applied run(const PlannedStep& step, CourierPlace courier) {
+    const Refusal refusal = why_not_step(mesh_, step, courier);
+    if (refusal != Refusal::none) return {refusal, {}, {}};
+    log_.push_back(apply_unchecked(mesh_, step.operation));
+    return log_.back();
+  }
+  void roll_back() {
+    for (; !log_.empty(); log_.pop_back()) apply_unchecked(mesh_, log_.back().inverse);
+  }
+
+ private:
+  QuadMesh& mesh_;
+  std::vector<Applied>& log_;
+};
+
+// Performs by an editor, which keeps features and positions.
+class OnEditor {
+ public:
+  explicit OnEditor(Editor& editor) : editor_(editor), start_(editor.mark()) {}
+
+  const QuadMesh& mesh() const { return editor_.mesh(); }
+  Applied run(const BasicOperation& op) { return editor_.run(op); }
+  Applied run(const PlannedStep& step, CourierPlace) { return editor_.run(step.operation); }
+  void roll_back() { editor_.roll_back(start_); }
+
+ private:
+  Editor& editor_;
+  std::size_t start_;
+};
+
 // Basic operations in sequence, with the courier's place. After a refusal everything is a no-op until the roll-back.
+//
+// What may be irregular on the way: the pair, what the first operation changed, and the courier. Everything else that a
+// step changes is regular before the courier comes and when it has left (Law C1 of courier.hpp), so that is all there is
+// to keep in mind, and to look at in the end.
+template <class Performer>
 class Passage {
  public:
-  Passage(Editor& editor, const PairFrame& pair)
-      : editor_(editor), m_(editor.mesh()), start_(editor.mark()), changed_{pair.v1, pair.v2} {}
+  Passage(Performer performer, const PairFrame& pair) : performer_(performer), m_(performer_.mesh()) {
+    keep(pair.v1);
+    keep(pair.v2);
+  }
 
+  const QuadMesh& mesh() const { return m_; }
   Refusal refusal() const { return refusal_; }
   bool refused() const { return refusal_ != Refusal::none; }
   void refuse(Refusal why) {
     if (!refused()) refusal_ = why;
   }
+  int operations() const { return operations_; }
 
   // Places the courier: h runs from its v3 (or what plays it) to its v5.
-  void start(HalfEdgeId h) { at_ = {h}; }
+  void start(HalfEdgeId h) {
+    at_ = {h};
+    for (const VertexId v : {v3(), v5()}) {
+      if (m_.is_boundary(v)) refuse(Refusal::touches_boundary);
+      if (m_.face_valence(v) != 4 && !is_kept(v)) refuse(Refusal::irregular_in_the_way);
+    }
+  }
   VertexId v3() const { return at_.u(m_); }
   VertexId v5() const { return at_.v(m_); }
 
-  void split(Hand hand, int times = 1, int turn = 2) { step({CourierStep::Way::split, hand}, times, turn); }
-  void collapse(Hand hand, int times = 1) { step({CourierStep::Way::collapse, hand}, times); }
-  void flip(Hand hand, int times = 1) { step({CourierStep::Way::flip, hand}, times); }
+  void split(Hand hand, int times = 1, int turn = 2) { step<CourierStep::Way::split>(hand, times, turn); }
+  void collapse(Hand hand, int times = 1) { step<CourierStep::Way::collapse>(hand, times); }
+  void flip(Hand hand, int times = 1) { step<CourierStep::Way::flip>(hand, times); }
 
-  // One operation, unless it is illegal, changes a valence on the boundary or that of an irregular vertex beside the pair.
-  bool run(const BasicOperation& op) {
-    if (refused()) return false;
-    refuse(editor_.why_not(op));
-    if (refused()) return false;
+  // A first operation, unless it is illegal, changes a valence on the boundary or that of an irregular vertex beside the
+  // pair.
+  void run(const BasicOperation& op) {
+    if (refused()) return;
+    refuse(why_not(m_, op));
+    if (refused()) return;
     const auto changed = changed_vertices(m_, op);
     for (const VertexId v : changed) {
       if (!v.valid()) continue;
       if (m_.is_boundary(v)) refuse(Refusal::touches_boundary);
-      if (m_.face_valence(v) != 4 && changed_.count(v) == 0) refuse(Refusal::irregular_in_the_way);
+      if (m_.face_valence(v) != 4 && !is_kept(v)) refuse(Refusal::irregular_in_the_way);
     }
-    if (refused()) return false;
-    const Applied done = editor_.run(op);
-    for (const VertexId v : changed) {
-      if (v.valid()) changed_.insert(v);
-    }
-    if (op.kind == BasicOperation::Kind::split) changed_.insert(m_.origin(QuadMesh::opposite(done.made)));
-    return true;
+    if (!refused()) perform(op, changed);
   }
 
   // All that changed, but for the pair itself, must be regular in the end.
   void require_regular_except(VertexId p, VertexId q) {
-    for (const VertexId v : changed_) {
+    keep(last_u_);
+    keep(last_v_);
+    if (at_.edge.valid()) keep(v3()), keep(v5());
+    for (int i = 0; i < kept_count_; ++i) {
+      const VertexId v = kept_[static_cast<std::size_t>(i)];
       if (m_.is_live(v) && v != p && v != q && m_.face_valence(v) != 4) refuse(Refusal::irregular_in_the_way);
     }
   }
 
-  void roll_back() { editor_.roll_back(start_); }
-
-  // What was done, in order.
-  MoveReport report() const {
-    MoveReport report;
-    for (std::size_t i = start_; i < editor_.mark(); ++i) {
-      const Edit& edit = editor_.edits()[i];
-      const BasicOperation& op = edit.operation;
-      report.operations.push_back(op);
-      report.undo.push_back(edit.inverse);
-      if (op.kind == BasicOperation::Kind::split) report.faces_made.push_back(QuadMesh::face(edit.inverse.h));
-      if (op.kind == BasicOperation::Kind::collapse) report.faces_deleted.push_back(QuadMesh::face(op.h));
-    }
-    std::reverse(report.undo.begin(), report.undo.end());
-    return report;
-  }
+  void roll_back() { performer_.roll_back(); }
 
  private:
-  void step(CourierStep step, int times, int turn = 2) {
+  // A vertex that may be irregular for now.
+  void keep(VertexId v) {
+    if (v.valid() && !is_kept(v)) kept_[static_cast<std::size_t>(kept_count_++)] = v;
+  }
+  bool is_kept(VertexId v) const {
+    for (int i = 0; i < kept_count_; ++i) {
+      if (kept_[static_cast<std::size_t>(i)] == v) return true;
+    }
+    return false;
+  }
+
+  // What the courier would find where it lands: nothing to mind, what it may change for all that, or a reason to refuse.
+  enum class Landing { regular, kept, refused };
+  Landing landing(HalfEdgeId h) {
+    if (!h.valid()) {
+      refuse(Refusal::touches_boundary);
+      return Landing::refused;
+    }
+    if (is_regular_at(m_, h)) return Landing::regular;
+    const VertexId v = m_.origin(h);
+    if (m_.is_boundary(v)) {
+      refuse(Refusal::touches_boundary);
+    } else if (!is_kept(v) && v != v3() && v != v5()) {
+      refuse(Refusal::irregular_in_the_way);
+    }
+    return refused() ? Landing::refused : Landing::kept;
+  }
+
+  // The loop is made for each way and hand, so that the plan is but a few loads.
+  template <CourierStep::Way way, Hand hand>
+  void steps(int times, int turn) {
+    constexpr bool kSplits = way == CourierStep::Way::split;
     for (int i = 0; i < times && !refused(); ++i) {
-      // Both ends of the courier must be interior for a step to find its half-edges.
-      if (!at_.edge.valid() || m_.is_boundary(v3()) || m_.is_boundary(v5())) {
-        refuse(Refusal::touches_boundary);
-        return;
+      const PlannedStep planned = planned_step(m_, at_, {way, hand}, turn);
+      const Landing at_u = kSplits ? Landing::regular : landing(planned.at_u);
+      const Landing at_v = at_u == Landing::refused ? Landing::refused : landing(planned.at_v);
+      if (at_v == Landing::refused) return;
+      if (operations_ == 0) {
+        const auto changed = why_not(m_, planned.operation) == Refusal::none
+                                 ? changed_vertices(m_, planned.operation)
+                                 : std::array<VertexId, 4>{};
+        if (!perform(planned.operation, changed)) return;
+      } else {
+        last_u_ = v3();
+        last_v_ = v5();
+        const bool regular = at_u == Landing::regular && at_v == Landing::regular && turn == 2;
+        if (!note(regular ? performer_.run(planned, at_) : performer_.run(planned.operation))) return;
       }
-      const PlannedStep planned = plan(m_, at_, step, turn);
-      if (run(planned.operation)) at_ = planned.next;
+      at_ = planned.next;
+    }
+  }
+  template <CourierStep::Way way>
+  void step(Hand hand, int times, int turn = 2) {
+    if (hand == Hand::left) {
+      steps<way, Hand::left>(times, turn);
+    } else {
+      steps<way, Hand::right>(times, turn);
     }
   }
 
-  Editor& editor_;
+  bool note(const Applied& done) {
+    refuse(done.refusal);
+    ++operations_;
+    made_ = done.made;
+    return !refused();
+  }
+  // The first operation.
+  bool perform(const BasicOperation& op, const std::array<VertexId, 4>& changed) {
+    for (const VertexId v : changed) keep(v);
+    if (!note(performer_.run(op))) return false;
+    if (op.kind == BasicOperation::Kind::split) keep(m_.origin(QuadMesh::opposite(made_)));
+    return true;
+  }
+
+  Performer performer_;
   const QuadMesh& m_;
-  std::size_t start_;
   Refusal refusal_ = Refusal::none;
   CourierPlace at_;
-  std::unordered_set<VertexId> changed_;  // what this move may find irregular: the pair, and what it changed itself
+  int operations_ = 0;
+  HalfEdgeId made_;            // by the last operation
+  VertexId last_u_, last_v_;   // the courier before the last step
+  std::array<VertexId, 16> kept_;
+  int kept_count_ = 0;
 };
 
 // The places of the pair after the move.
@@ -142,7 +280,9 @@ struct Ends {
 };
 
 // slide_first with the left hand, slide_second with the right. `forward` is p's extent along the leg of that hand.
-Ends slide(const QuadMesh& m, Passage& passage, PairFrame frame, Hand hand) {
+template <class Performer>
+Ends slide(Passage<Performer>& passage, PairFrame frame, Hand hand) {
+  const QuadMesh& m = passage.mesh();
   const auto along = [hand](const PairFrame& f) { return hand == Hand::left ? f.a : f.b; };
   const auto is_v3 = [&m](VertexId v) { return m.valence(v) == 3; };
   // A v5 can not start by a collapse, which is all there is to do if the leg has no length: start at the other end.
@@ -155,8 +295,8 @@ Ends slide(const QuadMesh& m, Passage& passage, PairFrame frame, Hand hand) {
   if (from_v3) {
     passage.start(hand == Hand::left ? frame.first_leg : frame.second_leg);
   } else {
-    const std::vector<HalfEdgeId> out = outward(m, frame);
-    passage.start(m.twin(hand == Hand::left ? out.front() : out.back()));
+    // Along the first or the last outward separatrix.
+    passage.start(m.twin(hand == Hand::left ? m.ccw(frame.second_leg) : m.cw(frame.first_leg)));
   }
   const VertexId p = from_v3 ? passage.v5() : passage.v3();
   const int diagonal = std::min(forward, sideways);
@@ -167,7 +307,9 @@ Ends slide(const QuadMesh& m, Passage& passage, PairFrame frame, Hand hand) {
 }
 
 // Splits only.
-Ends open(const QuadMesh& m, Passage& passage, const PairFrame& frame) {
+template <class Performer>
+Ends open(Passage<Performer>& passage, const PairFrame& frame) {
+  const QuadMesh& m = passage.mesh();
   if (m.valence(frame.v1) == 3) {
     if (frame.a == 1 && frame.b == 1) {
       // The path v1 - x - v2 turns, so the part of x on the inner side is left with valence 2: the merged vertex.
@@ -188,7 +330,7 @@ Ends open(const QuadMesh& m, Passage& passage, const PairFrame& frame) {
   // From a v5 the courier comes in by the middle outward separatrix; a merged pair has only that.
   const bool merged = frame.v1 == frame.v2;
   const bool to_v5 = m.valence(frame.v2) != 3;
-  passage.start(m.twin(merged ? frame.first_leg : outward(m, frame)[1]));
+  passage.start(m.twin(merged ? frame.first_leg : m.ccw(m.ccw(frame.second_leg))));
   const VertexId p = passage.v3();
   passage.split(Hand::right, frame.a);
   passage.split(Hand::left, frame.b);
@@ -198,7 +340,9 @@ Ends open(const QuadMesh& m, Passage& passage, const PairFrame& frame) {
 }
 
 // Collapses only.
-Ends close(const QuadMesh& m, Passage& passage, PairFrame frame) {
+template <class Performer>
+Ends close(Passage<Performer>& passage, PairFrame frame) {
+  const QuadMesh& m = passage.mesh();
   if (frame.v1 == frame.v2) {
     const VertexId p = m.target(frame.first_leg);
     const VertexId q = m.origin(QuadMesh::previous(frame.first_leg));
@@ -208,7 +352,7 @@ Ends close(const QuadMesh& m, Passage& passage, PairFrame frame) {
   if (m.valence(frame.v1) != 3 && m.valence(frame.v2) == 3) frame = seen_from_other_end(m, frame);
   if (m.valence(frame.v1) == 3) {
     const bool to_v3 = m.valence(frame.v2) == 3;
-    passage.start(outward(m, frame).front());
+    passage.start(m.ccw(frame.second_leg));
     const VertexId p = passage.v5();
     // Past a v3 on its far side, onto a v5 directly.
     const bool right_first = to_v3 && frame.a >= 1;
@@ -244,8 +388,16 @@ std::optional<PairFrame> frame_after(const QuadMesh& m, Ends ends, Extents exten
       if (!towards.valid() || m.target(h) == towards) found = PairFrame{h, m.ccw(h), ends.p, ends.p, 0, 0};
       return;
     }
-    const auto frame = frame_at(m, h, extents.a, extents.b);
-    if (frame && frame->v2 == ends.q) found = frame;
+    // One way round the rectangle tells the legs from the other edges; the other way is for the one that has arrived.
+    std::optional<HalfEdgeId> way = extents.a > 0 ? walk(m, h, extents.a) : m.ccw(h);
+    if (way && extents.a > 0 && extents.b > 0) {
+      way = m.is_boundary(m.target(*way)) ? std::nullopt : walk(m, QuadMesh::next(*way), extents.b);
+    } else if (extents.b > 0) {
+      way = walk(m, m.ccw(h), extents.b);
+    }
+    if (!way || m.target(*way) != ends.q) return;
+    found = frame_at(m, h, extents.a, extents.b);
+    if (found && found->v2 != ends.q) found.reset();
   });
   return found;
 }
@@ -284,42 +436,76 @@ std::vector<PairMove> parting_moves(const QuadMesh& m, VertexId merged) {
   return moves;
 }
 
-MoveReport move_pair(Editor& editor, const PairMove& move) {
-  const QuadMesh& m = editor.mesh();
-  MoveReport refused;
+namespace {
+
+// The operations of a move, and where the pair is then, extents included; p is the first vertex of its frame.
+struct Carried {
+  Ends ends;
+  Extents extents;
+};
+
+template <class Performer>
+Carried carry(Passage<Performer>& passage, const PairMove& move) {
+  const QuadMesh& m = passage.mesh();
   const PairFrame& frame = move.frame;
-  const Extents to = after(m, move);
+  Carried result{{}, after(m, move)};
   const bool merged = frame.v1 == frame.v2;
   const bool parts = merged && move.step == (m.valence(frame.v1) == 2 ? PairStep::close : PairStep::open);
-  if (to.a < 0 || to.b < 0 || (merged && !parts)) {
-    refused.refusal = Refusal::no_such_step;
-    return refused;
+  if (result.extents.a < 0 || result.extents.b < 0 || (merged && !parts)) {
+    passage.refuse(Refusal::no_such_step);
+    return result;
   }
-  Passage passage(editor, frame);
-  Ends ends{};
+  Ends& ends = result.ends;
   switch (move.step) {
-    case PairStep::slide_first: ends = slide(m, passage, frame, Hand::left); break;
-    case PairStep::slide_second: ends = slide(m, passage, frame, Hand::right); break;
-    case PairStep::open: ends = open(m, passage, frame); break;
-    case PairStep::close: ends = close(m, passage, frame); break;
+    case PairStep::slide_first: ends = slide(passage, frame, Hand::left); break;
+    case PairStep::slide_second: ends = slide(passage, frame, Hand::right); break;
+    case PairStep::open: ends = open(passage, frame); break;
+    case PairStep::close: ends = close(passage, frame); break;
   }
   if (!passage.refused()) passage.require_regular_except(ends.p, ends.q);
-  std::optional<PairFrame> found;
+  // Where a 3-5 move started at the v3, p is the v3; frames have the v5 first.
+  if (!passage.refused() && m.valence(ends.p) < m.valence(ends.q)) std::swap(ends.p, ends.q);
+  return result;
+}
+
+// The reason to refuse the move, or its inverse in `inverse`. A refusal is rolled back.
+template <class Performer>
+Refusal carry_and_frame(Performer performer, const PairMove& move, PairMove& inverse_move) {
+  Passage<Performer> passage(performer, move.frame);
+  const Carried result = carry(passage, move);
   if (!passage.refused()) {
-    // Where a 3-5 move started at the v3, p is the v3; frames have the v5 first.
-    if (m.valence(ends.p) < m.valence(ends.q)) std::swap(ends.p, ends.q);
+    const QuadMesh& m = passage.mesh();
     // The edge to v1 parts a v6 as it was; either face of a v2 does.
-    const VertexId towards = m.valence(ends.p) == 6 ? frame.v1 : VertexId();
-    found = frame_after(m, ends, to, towards);
-    if (!found) passage.refuse(Refusal::irregular_in_the_way);
+    const VertexId towards = m.valence(result.ends.p) == 6 ? move.frame.v1 : VertexId();
+    const auto found = frame_after(m, result.ends, result.extents, towards);
+    if (found) {
+      inverse_move = {*found, inverse(move.step)};
+    } else {
+      passage.refuse(Refusal::irregular_in_the_way);
+    }
   }
-  if (passage.refused()) {
-    passage.roll_back();
-    refused.refusal = passage.refusal();
-    return refused;
+  if (passage.refused()) passage.roll_back();
+  return passage.refusal();
+}
+
+void report_operation(MoveReport& report, const BasicOperation& op, const BasicOperation& undo) {
+  report.operations.push_back(op);
+  report.undo.push_back(undo);
+  if (op.kind == BasicOperation::Kind::split) report.faces_made.push_back(QuadMesh::face(undo.h));
+  if (op.kind == BasicOperation::Kind::collapse) report.faces_deleted.push_back(QuadMesh::face(op.h));
+}
+
+}  // namespace
+
+MoveReport move_pair(Editor& editor, const PairMove& move) {
+  MoveReport report;
+  const std::size_t start = editor.mark();
+  report.refusal = carry_and_frame(OnEditor(editor), move, report.inverse);
+  if (report.refusal != Refusal::none) return report;
+  for (std::size_t i = start; i < editor.mark(); ++i) {
+    report_operation(report, editor.edits()[i].operation, editor.edits()[i].inverse);
   }
-  MoveReport report = passage.report();
-  report.inverse = {*found, inverse(move.step)};
+  std::reverse(report.undo.begin(), report.undo.end());
   return report;
 }
 
@@ -328,9 +514,23 @@ MoveReport move_pair(QuadMesh& mesh, const PairMove& move) {
   return move_pair(editor, move);
 }
 
-Refusal why_not_move_pair(const QuadMesh& mesh, const PairMove& move) {
-  QuadMesh copy = mesh;
-  return move_pair(copy, move).refusal;
+Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move) {
+  std::vector<Applied> log;
+  OnMesh performer(mesh, log);
+  PairMove back;
+  const Refusal refusal = carry_and_frame(performer, move, back);
+  performer.roll_back();
+  return refusal;
+}
+
+PairMover::Moved PairMover::move(const PairMove& move) {
+  Passage<OnMesh> passage(OnMesh(mesh_, log_), move.frame);
+  const Carried result = carry(passage, move);
+  if (passage.refused()) {
+    passage.roll_back();
+    return {passage.refusal(), VertexId(), VertexId(), 0};
+  }
+  return {Refusal::none, result.ends.p, result.ends.q, passage.operations()};
 }
 
 Refusal apply_all(QuadMesh& mesh, const std::vector<BasicOperation>& operations) {

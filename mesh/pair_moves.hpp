@@ -22,7 +22,8 @@
 // Law P5 (locality). A move changes no valence outside the smallest convex region that holds the pair before and after,
 // and never one on the boundary of the mesh, not even on its way.
 //
-// Costs: O(a + b) basic operations; the report's frame needs as much again.
+// Costs: max(a, b) + O(1) basic operations for a slide, a + b + O(1) for open and close, whatever the mesh; the report's
+// frame takes walks of a + b edges, and no operation.
 #pragma once
 
 #include <array>
@@ -64,8 +65,29 @@ struct MoveReport {
 // free lists included, and the report holds the reason and nothing else.
 MoveReport move_pair(Editor& editor, const PairMove& move);
 MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
-// The reason move_pair() would give. Works on a copy: O(mesh).
-Refusal why_not_move_pair(const QuadMesh& mesh, const PairMove& move);
+// The reason move_pair() would give: makes the move and takes it back, which leaves an equal mesh. O(a + b).
+Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move);
+
+// Makes one move after another on one mesh, for long walks: the same operations as move_pair(), each of them checked,
+// without a report and without a look at where the grid of the pair lies then. Allocates nothing once it has made its
+// longest move, if the mesh has room (QuadMesh::reserve).
+class PairMover {
+ public:
+  // The mesh must outlive it.
+  explicit PairMover(QuadMesh& mesh) : mesh_(mesh) {}
+
+  struct Moved {
+    Refusal refusal = Refusal::none;  // the mesh is then as before
+    VertexId v1;                      // the pair, in the order that frames have; one vertex twice if it merged
+    VertexId v2;
+    int operations = 0;
+  };
+  Moved move(const PairMove& move);
+
+ private:
+  QuadMesh& mesh_;
+  std::vector<Applied> log_;  // of the last move
+};
 
 // Applies a list of operations, all or none; the reason of the first that was refused.
 Refusal apply_all(QuadMesh& mesh, const std::vector<BasicOperation>& operations);

@@ -93,6 +93,19 @@ QuadMesh QuadMesh::from_arrays_unchecked(std::vector<HalfEdgeId> twin, std::vect
   return mesh;
 }
 
+void QuadMesh::reserve(int faces, int vertices) {
+  twin_.reserve(4 * static_cast<std::size_t>(faces));
+  origin_.reserve(4 * static_cast<std::size_t>(faces));
+  out_.reserve(static_cast<std::size_t>(vertices));
+  free_faces_.reserve(static_cast<std::size_t>(faces));
+  free_vertices_.reserve(static_cast<std::size_t>(vertices));
+}
+
+std::size_t QuadMesh::bytes() const {
+  return twin_.capacity() * sizeof(HalfEdgeId) + origin_.capacity() * sizeof(VertexId) + out_.capacity() * sizeof(HalfEdgeId) +
+         free_faces_.capacity() * sizeof(FaceId) + free_vertices_.capacity() * sizeof(VertexId);
+}
+
 int QuadMesh::edge_count() const {
   int twice = 0;
   for (const HalfEdgeId h : half_edges()) twice += is_boundary(h) ? 2 : 1;
@@ -147,7 +160,11 @@ int QuadMesh::face_valence(VertexId v) const {
   return count;
 }
 
-bool QuadMesh::adjacent(VertexId a, VertexId b) const { return find_half_edge(a, b).valid() || find_half_edge(b, a).valid(); }
+bool QuadMesh::adjacent(VertexId a, VertexId b) const {
+  // Every edge of an interior vertex has a half-edge out of it.
+  if (find_half_edge(a, b).valid()) return true;
+  return is_boundary(a) && find_half_edge(b, a).valid();
+}
 
 HalfEdgeId QuadMesh::find_half_edge(VertexId a, VertexId b) const {
   const HalfEdgeId first = out(a);

@@ -63,6 +63,11 @@ class QuadMesh {
   }
   bool is_live(FaceId f) const { return f.valid() && is_live(HalfEdgeId(4 * f.index())); }
 
+  // Room for so many live elements, so that operations which make no more of them allocate nothing.
+  void reserve(int faces, int vertices);
+  // Memory of the arrays, room included.
+  std::size_t bytes() const;
+
   // Live elements in the order of their ids. O(capacity).
   std::vector<VertexId> vertices() const;
   std::vector<FaceId> faces() const;

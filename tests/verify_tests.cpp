@@ -19,9 +19,9 @@ const Claim& claim(const std::string& id) {
   throw std::logic_error("no claim " + id);
 }
 
-const std::set<Method> kBoth{Method::moves, Method::search};
+const std::set<Method> kAll{Method::moves, Method::search, Method::walk};
 
-Study study_of(Family family, theory::PairType type, const theory::IntegerVector& s) { return study({family, type, s}, kBoth); }
+Study study_of(Family family, theory::PairType type, const theory::IntegerVector& s) { return study({family, type, s}, kAll); }
 
 Ranges small_ranges() {
   Ranges r;
@@ -39,7 +39,7 @@ CampaignResult run_small(int threads) {
     all.push_back(&c);
     families.insert(c.families.begin(), c.families.end());
   }
-  return run_campaign(all, list_cases(small_ranges(), families), kBoth, threads, true);
+  return run_campaign(all, list_cases(small_ranges(), families), kAll, {.threads = threads, .quiet = true});
 }
 
 }  // namespace
@@ -218,11 +218,11 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     for (auto& node : x.found.nodes) node.signature += "0";
   });
   RegionCase three{Family::three_vertices, theory::PairType{4, 3}, sides({4, 4, 4}), {3, 3, 5}};
-  fails("N3", study(three, kBoth), [](Study& x) { x.searched->clear(); });
-  fails("N3", study(three, kBoth), [](Study& x) { x.searched->front() += "0"; });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->clear(); });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->front() += "0"; });
   three.sides = sides({2, 4, 6});
-  fails("N3", study(three, kBoth), [](Study& x) { x.searched_merged->clear(); });
-  fails("N3", study(three, kBoth), [](Study& x) { x.searched->push_back("0"); });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched_merged->clear(); });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->push_back("0"); });
   // A1 at a pair that is not adjacent.
   const Study adjacent = study_of(Family::quad, theory::kQuad, sides({5, 4, 4, 5}));
   fails("A1", adjacent, [&](Study& x) {

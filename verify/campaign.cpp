@@ -1,7 +1,8 @@
 #include "verify/campaign.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
+#include <cmath>
 #include <iterator>
 
 #include <tbb/global_control.h>
@@ -126,49 +127,99 @@ void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof) {
   result.proof = std::move(proof);
 }
 
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
-                            int threads, bool quiet) {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+namespace {
 
-  struct CaseResult {
-    std::vector<Judgement> judgements;
-    std::vector<double> seconds;
-    double study_seconds = 0;
-  };
-  std::vector<CaseResult> results(list.cases.size());
-  program::Progress progress("regions", static_cast<std::int64_t>(list.cases.size()), quiet);
+// A guess at the relative cost: the costly ones first, so that no thread or process is left with one at the end.
+double weight(const RegionCase& region) {
+  const auto length = static_cast<double>(region.sides.sum());
+  switch (region.family) {
+    case Family::single_vertex: return length * length;
+    case Family::three_vertices: return 10 * std::pow(length, 5);
+    default: return std::pow(length, 4) * static_cast<double>(region.type.rotation_count());
+  }
+}
 
-  const auto run_case = [&](std::size_t i) {
-    CaseResult& result = results[i];
-    const auto failed = [](const std::exception& error) {
-      Judgement j;
-      j.violation = Violation{error.what(), "", "", std::nullopt};
-      return j;
-    };
-    const auto start = Clock::now();
-    try {
-      const Study s = study(list.cases[i], methods);
-      result.study_seconds = since(start);
-      for (const Claim* claim : selected) {
-        const auto judging = Clock::now();
-        try {
-          const bool concerns = claim->families.count(list.cases[i].family) > 0;
-          result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
-        } catch (const std::exception& error) {
-          result.judgements.push_back(failed(error));
-        }
-        result.seconds.push_back(since(judging));
-      }
-    } catch (const std::exception& error) {
-      result.judgements.assign(selected.size(), failed(error));
-      result.seconds.assign(selected.size(), 0);
-    }
-    progress.advance();
-  };
+// Cases handed out one by one to threads.
+void run_threads(const std::vector<std::size_t>& todo, int threads, const std::function<CaseResult(std::size_t)>& run,
+                 const Done& done) {
   std::optional<tbb::global_control> limit;
   if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::parallel_for(std::size_t{0}, list.cases.size(), run_case);
+  const std::size_t workers = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  std::atomic<std::size_t> next{0};
+  tbb::parallel_for(
+      std::size_t{0}, workers,
+      [&](std::size_t) {
+        for (std::size_t i = next++; i < todo.size(); i = next++) done(todo[i], run(todo[i]));
+      },
+      tbb::simple_partitioner());
+}
+
+}  // namespace
+
+std::string campaign_name(const std::string& version, const std::vector<const Claim*>& selected, const Ranges& ranges,
+                          const std::set<Method>& methods) {
+  std::string name = "requad-verify " + version + " claims";
+  std::set<Family> families;
+  for (const Claim* claim : selected) {
+    name += " " + claim->id;
+    families.insert(claim->families.begin(), claim->families.end());
+  }
+  const auto span = [&name](const char* what, program::Range r) {
+    name += std::string("; ") + what + " " + std::to_string(r.first) + ".." + std::to_string(r.last);
+  };
+  span("digon", ranges.digon);
+  span("hexagon", ranges.hexagon);
+  span("quad-perimeter", ranges.quad_perimeter);
+  span("other-perimeter", ranges.other_perimeter);
+  name += "; methods";
+  for (const Method method : methods) name += std::string(" ") + verify::name(method);
+  return name;
+}
+
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
+                            const Running& running) {
+  std::vector<CaseResult> results(list.cases.size());
+  std::vector<bool> known(list.cases.size(), false);
+  // Walks alone can take long for one region: their configurations are what is counted then.
+  const bool walks_alone = methods == std::set<Method>{Method::walk} && !running.distribute;
+  const auto steps = [&](std::size_t i) {
+    const RegionCase& c = list.cases[i];
+    const bool pair = c.family != Family::single_vertex && c.family != Family::three_vertices;
+    return !walks_alone ? std::int64_t{1} : pair ? theory::exact_count(c.type, c.sides) : std::int64_t{0};
+  };
+  std::int64_t all_steps = 0;
+  for (std::size_t i = 0; i < list.cases.size(); ++i) all_steps += steps(i);
+  program::Progress progress(walks_alone ? "configurations" : "regions", all_steps, running.quiet);
+
+  if (running.journal != nullptr) {
+    for (auto& [i, result] : running.journal->results()) {
+      results[i] = std::move(result);
+      known[i] = true;
+      progress.advance(steps(i));
+    }
+    running.journal->results().clear();
+  }
+  std::vector<std::size_t> todo;
+  for (std::size_t i = 0; i < list.cases.size(); ++i) {
+    if (!known[i]) todo.push_back(i);
+  }
+  std::stable_sort(todo.begin(), todo.end(),
+                   [&](std::size_t a, std::size_t b) { return weight(list.cases[a]) > weight(list.cases[b]); });
+  const Done done = [&](std::size_t i, CaseResult result) {
+    if (running.journal != nullptr) running.journal->append(i, result);
+    results[i] = std::move(result);
+    if (!walks_alone) progress.advance();
+  };
+  const auto walked = [&](std::int64_t configurations) { progress.advance(configurations); };
+  const auto run = [&](std::size_t i) {
+    return run_case(list.cases[i], selected, methods, walks_alone ? enumerate::WalkProgress(walked) : enumerate::WalkProgress());
+  };
+  if (running.distribute) {
+    running.distribute(todo, done);
+  } else {
+    run_threads(todo, running.threads, run, done);
+  }
+  progress.finish();
 
   CampaignResult campaign;
   campaign.empty = list.empty;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -9,7 +10,8 @@
 
 #include "mesh/program.hpp"
 #include "theory/proofs.hpp"
-#include "verify/claims.hpp"
+#include "verify/case_result.hpp"
+#include "verify/journal.hpp"
 
 namespace requad::verify {
 
@@ -59,9 +61,23 @@ struct CampaignResult {
   bool passed() const;
 };
 
-// Runs the claims on the cases. `threads` 0 means all cores. An exception while a region is studied or judged is a
-// violation of the claim (or of all of them), never lost.
+// Makes the results of the cases in `todo`, in any order and anywhere, and hands each to `done`, once.
+using Done = std::function<void(std::size_t, CaseResult)>;
+using Distribute = std::function<void(const std::vector<std::size_t>& todo, const Done& done)>;
+
+struct Running {
+  int threads = 0;             // of this process; 0: all cores
+  bool quiet = false;
+  Journal* journal = nullptr;  // results that stand there are taken from it, all others are added
+  Distribute distribute = {};  // instead of threads of this process
+};
+
+// Runs the claims on the cases. The result depends on neither `running` nor the order in which cases end, but for seconds.
 CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
-                            int threads, bool quiet);
+                            const Running& running);
+
+// What the campaign is, in a line: two runs may share a journal iff these are equal.
+std::string campaign_name(const std::string& version, const std::vector<const Claim*>& selected, const Ranges& ranges,
+                          const std::set<Method>& methods);
 
 }  // namespace requad::verify

@@ -32,6 +32,10 @@ const std::vector<Claim>& claims() {
   static const std::set<Family> kAll{regular_digon, regular_hexagon, quad, other_digon, other_hexagon, single_vertex};
   constexpr Method kMoves = Method::moves;
   constexpr Method kSearch = Method::search;
+  constexpr Method kWalk = Method::walk;
+  constexpr const char* kTheoremCompares =
+      "closed form, parameter set, configurations and graph found by moves, with labels, fillings found by search, configurations "
+      "and edges walked on one mesh, by separatrix vectors";
   static const std::vector<Claim> kClaims{
       {"B1", "section 2", "Every basic operation applied at a single irregular vertex of a regular neighbourhood increases the number of irregular vertices.",
        "irregular vertices before and after every operation at the vertex", {single_vertex}, {kMoves}, judge_single_vertex_operations},
@@ -57,11 +61,11 @@ const std::vector<Claim>& claims() {
       {"T1", "Theorem 7.1", "A single irregular vertex whose valence 4 does not divide has one configuration. (Sharp: in a regular region of side L, a v8 or v12 has (L-1)^2.)",
        "fillings found by search, positive solutions of the circulant system, glued", {single_vertex}, {kSearch}, judge_theorem_1},
       {"T2", "Theorem 7.2", "A regular digon of side L with a 3-3 pair has tau(L) configurations, parametrised by (m,n), four steps; a non-regular one has at most tau of the smallest regular digon around it.",
-       "closed form, parameter set, configurations and graph found by moves, with labels, fillings found by search", {regular_digon, other_digon}, {kMoves, kSearch}, judge_theorem},
+       kTheoremCompares, {regular_digon, other_digon}, {kMoves, kSearch, kWalk}, judge_theorem},
       {"T3", "Theorem 7.3", "A regular hexagon of side L with a 5-5 pair has tau(L) configurations, parametrised by (m,n,p), four steps; a non-regular one has at most tau of the smallest regular hexagon around it.",
-       "closed form, parameter set, configurations and graph found by moves, with labels, fillings found by search", {regular_hexagon, other_hexagon}, {kMoves, kSearch}, judge_theorem},
+       kTheoremCompares, {regular_hexagon, other_hexagon}, {kMoves, kSearch, kWalk}, judge_theorem},
       {"T4", "Theorem 7.4", "A convex region with a 3-5 pair has K = M N configurations, parametrised by (m,n), four steps.",
-       "closed form, parameter set, configurations and graph found by moves, with labels, fillings found by search", {quad}, {kMoves, kSearch}, judge_theorem},
+       kTheoremCompares, {quad}, {kMoves, kSearch, kWalk}, judge_theorem},
       {"G1", "Equation 1", "Discrete Gauss-Bonnet.", "turns and indices of every configuration, 4 chi", kPairs, {kMoves}, judge_gauss_bonnet},
       {"L8", "Lemma 7.8", "R_alpha is unique and a d1 x d2 grid; the smallest convex region is its 1-ring.",
        "rectangles spanned by separatrices; that the 1-ring, which every region with the pair inside contains, is convex, with the sides of all e_i = 1",

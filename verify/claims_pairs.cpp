@@ -172,6 +172,21 @@ void judge_search(const Study& s, Judgement& j) {
   }
 }
 
+// The walk on one mesh: each configuration of the parameter set once, each predicted edge both ways, nothing else.
+void judge_walk(const Study& s, Judgement& j) {
+  Verdict verdict(j);
+  const enumerate::WalkResult& w = *s.walked;
+  j.row["walk"] = w.configurations;
+  j.row["walk_edges"] = w.edges;
+  j.checks += w.identifications;
+  verdict.require(w.problem.empty(), {"walk: " + w.problem, w.configuration, "", w.mesh});
+  verdict.require(w.configurations == s.exact_count, at_region(s, "the closed form gives " + std::to_string(s.exact_count) +
+                                                                      ", the walk visits " + std::to_string(w.configurations)));
+  verdict.require(w.complete(), at_region(s, "the walk visits " + std::to_string(w.configurations) + " of " +
+                                                 std::to_string(w.predicted) + " configurations and " + std::to_string(w.edges) +
+                                                 " of " + std::to_string(w.predicted_edges) + " edges"));
+}
+
 }  // namespace
 
 // Unique unless 4 divides the valence; then as many as the singular circulant has positive solutions, (L-1)^2 in a
@@ -218,6 +233,7 @@ Judgement judge_theorem(const Study& s) {
   }
   if (!s.found.nodes.empty()) judge_moves(s, j);
   if (s.searched) judge_search(s, j);
+  if (s.walked) judge_walk(s, j);
   return j;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include <unistd.h>
@@ -10,6 +11,9 @@
 #include "mesh/obj.hpp"
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"
+#ifdef REQUAD_MPI
+#include "verify/distributed.hpp"
+#endif
 #include "verify/report.hpp"
 
 namespace {
@@ -17,6 +21,12 @@ namespace {
 using namespace requad;
 using program::Options;
 using program::UsageError;
+
+#ifdef REQUAD_MPI
+#define REQUAD_MPI_HELP "  mpirun -n 4 requad-verify --hexagon 3..20 --journal run.journal --json report.json\n"
+#else
+#define REQUAD_MPI_HELP ""
+#endif
 
 constexpr const char* kHelp =
     R"(requad-verify: checks the claims of "Connectivity Editing for Quadrilateral Meshes" by computer
@@ -29,8 +39,12 @@ constexpr const char* kHelp =
   --hexagon A..B           side lengths of regular hexagons with a 5-5 pair (default 3..12)
   --quad-perimeter A..B    perimeters of convex regions with a 3-5 pair, all sides (default 8..24)
   --other-perimeter A..B   perimeters of non-regular digons and hexagons, all sides (default 4..24)
-  --method moves|search    moves: every pair move from one configuration on, until nothing is new; search: every filling
-                           of the boundary, without any theorem; may be repeated (default: both)
+  --method NAME            how configurations are found; may be repeated (default: all three)
+                             moves   every pair move from one configuration on, until nothing is new
+                             search  every filling of the boundary, without any theorem
+                             walk    all configurations visited on one mesh and identified by their separatrices: alone,
+                                     for digons up to side 2000 and hexagons up to 1000
+  --journal FILE           keeps the result of each region; a run that was killed goes on where it stopped
   --failures DIR           where the mesh of a violation is written as OBJ (default .)
   --certificate DIR        writes every configuration, every edge with its script, and the counts, for `check`
   --html FILE|-            the report as one self-contained page
@@ -45,7 +59,9 @@ Examples:
   requad-verify --claim T2 --digon 3..40
   requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof
   requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json
-)";
+  requad-verify --claim T2 --method walk --digon 1000
+  requad-verify --hexagon 3..20 --journal run.journal --json report.json
+)" REQUAD_MPI_HELP;
 
 program::Range lengths(const Options& options, const char* name, program::Range fallback, std::int64_t least, std::int64_t most) {
   if (!options.has(name)) return fallback;
@@ -57,10 +73,14 @@ program::Range lengths(const Options& options, const char* name, program::Range 
   return range;
 }
 
-std::vector<const verify::Claim*> select(const Options& options) {
+// The claims asked for; all, but for those that have no use for the methods that were asked for.
+std::vector<const verify::Claim*> select(const Options& options, const std::set<verify::Method>& methods) {
   std::vector<const verify::Claim*> selected;
   if (!options.has("claim")) {
-    for (const verify::Claim& claim : verify::claims()) selected.push_back(&claim);
+    for (const verify::Claim& claim : verify::claims()) {
+      if (std::any_of(claim.methods.begin(), claim.methods.end(), [&](verify::Method m) { return methods.count(m) > 0; }))
+        selected.push_back(&claim);
+    }
     return selected;
   }
   for (const std::string& id : options.list("claim")) {
@@ -110,11 +130,41 @@ int check(const std::vector<std::string>& words, const char* self) {
   throw UsageError("check: " + checker + " can not be started");
 }
 
-int main_body(int argc, char** argv) {
+std::set<verify::Method> methods_of(const Options& options) {
+  using enum verify::Method;
+  if (!options.has("method")) return {moves, search, walk};
+  std::set<verify::Method> methods;
+  for (const std::string& text : options.list("method")) {
+    const auto all = {moves, search, walk};
+    const auto it = std::find_if(all.begin(), all.end(), [&](verify::Method m) { return text == verify::name(m); });
+    if (it == all.end()) throw UsageError("--method: '" + text + "' is not one of moves, search, walk");
+    methods.insert(*it);
+  }
+  return methods;
+}
+
+#ifdef REQUAD_MPI
+using Processes = verify::Processes;
+#else
+// This process alone.
+struct Processes {
+  Processes(int&, char**&) {}
+  bool leads() const { return true; }
+  bool alone() const { return true; }
+  void hand_out(const std::vector<std::size_t>&, std::size_t, const verify::Done&) {}
+  void work(const std::function<verify::CaseResult(std::size_t)>&) {}
+};
+#endif
+
+int main_body(int argc, char** argv, Processes& processes) {
   const Options options(argc, argv,
                         {{"list", "proofs"},
-                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html"},
+                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html", "journal"},
                          {"claim", "method"}});
+  const auto leaves = [&] { return !processes.leads(); };  // what is printed is printed once
+  if (leaves() && (options.has("help") || options.has("version") || options.has("list") || options.has("proofs") ||
+                   !options.words().empty()))
+    return program::kDone;
   if (program::answered(options, "requad-verify", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty() && options.words().front() == "check") return check(options.words(), argv[0]);
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
@@ -124,35 +174,42 @@ int main_body(int argc, char** argv) {
     }
     return program::kDone;
   }
-  if (options.has("proofs")) return print_proofs(select(options));
-  std::set<verify::Method> methods{verify::Method::moves, verify::Method::search};
-  if (options.has("method")) {
-    methods.clear();
-    for (const std::string& method : options.list("method")) {
-      if (method == "moves") {
-        methods.insert(verify::Method::moves);
-      } else if (method == "search") {
-        methods.insert(verify::Method::search);
-      } else {
-        throw UsageError("--method: '" + method + "' is not one of moves, search");
-      }
-    }
-  }
+  const std::set<verify::Method> methods = methods_of(options);
+  const std::vector<const verify::Claim*> selected = select(options, methods);
+  if (options.has("proofs")) return print_proofs(selected);
   options.one_on_stdout({"json", "html"});
   const std::string failures = options.text("failures", ".");
   if (!std::filesystem::is_directory(failures)) throw UsageError("--failures: " + failures + " is not a folder");
   verify::Ranges ranges;
-  ranges.digon = lengths(options, "digon", ranges.digon, 3, 100);
-  ranges.hexagon = lengths(options, "hexagon", ranges.hexagon, 3, 40);
+  const bool walks_alone = methods == std::set<verify::Method>{verify::Method::walk};
+  ranges.digon = lengths(options, "digon", ranges.digon, 3, walks_alone ? 2000 : 100);
+  ranges.hexagon = lengths(options, "hexagon", ranges.hexagon, 3, walks_alone ? 1000 : 40);
   ranges.quad_perimeter = lengths(options, "quad-perimeter", ranges.quad_perimeter, 4, 100);
   ranges.other_perimeter = lengths(options, "other-perimeter", ranges.other_perimeter, 4, 40);
 
-  const std::vector<const verify::Claim*> selected = select(options);
   std::set<verify::Family> families;
   for (const verify::Claim* claim : selected) families.insert(claim->families.begin(), claim->families.end());
   const bool quiet = options.quiet();
   const verify::CaseList list = verify::list_cases(ranges, families);
-  const verify::CampaignResult result = verify::run_campaign(selected, list, methods, options.threads(), quiet);
+  if (leaves()) {
+    processes.work([&](std::size_t i) { return verify::run_case(list.cases[i], selected, methods); });
+    return program::kDone;
+  }
+  verify::Running running;
+  running.threads = options.threads();
+  running.quiet = quiet;
+  std::optional<verify::Journal> journal;
+  if (options.has("journal")) {
+    const std::string name = verify::campaign_name(REQUAD_VERSION, selected, ranges, methods);
+    journal.emplace(options.text("journal"), name, list.cases.size(), selected.size());
+    running.journal = &*journal;
+  }
+  if (!processes.alone()) {
+    running.distribute = [&](const std::vector<std::size_t>& todo, const verify::Done& done) {
+      processes.hand_out(todo, selected.size(), done);
+    };
+  }
+  const verify::CampaignResult result = verify::run_campaign(selected, list, methods, running);
 
   const std::string json_path = options.text("json");
   if (!json_path.empty()) program::write_text(json_path, verify::report_json(result, ranges).dump() + "\n");
@@ -171,5 +228,9 @@ int main_body(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return program::run("requad-verify", [argc, argv] { return main_body(argc, argv); });
+  Processes processes(argc, argv);
+  // An argument that is wrong is wrong for all: one line, not one from each.
+  std::ofstream nowhere;
+  if (!processes.leads()) std::cerr.rdbuf(nowhere.rdbuf());
+  return program::run("requad-verify", [&] { return main_body(argc, argv, processes); });
 }

@@ -23,7 +23,14 @@ const char* name(Family family) {
   return "";
 }
 
-const char* name(Method method) { return method == Method::moves ? "moves" : "search"; }
+const char* name(Method method) {
+  switch (method) {
+    case Method::moves: return "moves";
+    case Method::search: return "search";
+    case Method::walk: return "walk";
+  }
+  return "";
+}
 
 std::string describe(const RegionCase& region) {
   std::string text = region.family == Family::single_vertex ? "v" + std::to_string(region.type.side_count()) : region.type.name();
@@ -37,6 +44,7 @@ std::string describe(const RegionCase& region) {
 }
 
 int Study::pairs_predicted() const {
+  if (map.nodes.empty() && walked) return static_cast<int>(walked->predicted);
   return static_cast<int>(std::count_if(map.nodes.begin(), map.nodes.end(),
                                         [](const theory::MapNode& node) { return !node.configuration.merged(); }));
 }
@@ -93,7 +101,7 @@ std::string step_text(const theory::Configuration& from, const theory::Configura
 
 }  // namespace
 
-Study study(const RegionCase& region, const std::set<Method>& methods) {
+Study study(const RegionCase& region, const std::set<Method>& methods, const enumerate::WalkProgress& progress) {
   Study s;
   s.region = region;
   const bool search = methods.count(Method::search) > 0;
@@ -111,8 +119,10 @@ Study study(const RegionCase& region, const std::set<Method>& methods) {
     return s;
   }
   s.exact_count = theory::exact_count(region.type, region.sides);
-  s.map = theory::configuration_map(region.type, region.sides, theory::Apex::with);
   s.found.type = region.type;
+  if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(region.type, region.sides, progress);
+  if (!search && methods.count(Method::moves) == 0) return s;
+  s.map = theory::configuration_map(region.type, region.sides, theory::Apex::with);
   if (search) {
     s.searched = fillings(region, {region.type.l1, region.type.l2});
     if (region.type.symmetric()) s.searched_merged = fillings(region, {region.type.side_count()});

@@ -1,0 +1,183 @@
+// Journals: what a killed run leaves is enough to go on, and nothing is lost, counted twice or taken from another run.
+// And reports that do not depend on threads.
+#include <csignal>
+#include <fstream>
+#include <regex>
+#include <thread>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/catch.hpp"
+#include "tests/programs.hpp"
+#include "tests/support.hpp"
+#include "verify/report.hpp"
+
+using namespace requad;
+using namespace requad::verify;
+using namespace requad::tests;
+
+namespace {
+
+std::string without_seconds(const std::string& json) {
+  return std::regex_replace(json, std::regex("\"seconds\":[^,}]*"), "\"seconds\":0");
+}
+
+std::size_t lines_of(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+CaseResult some_result(int number) {
+  CaseResult r;
+  r.judgements.resize(2);
+  r.seconds = {0.25, 0};
+  r.study_seconds = 1;
+  r.judgements[0].checks = number;
+  r.judgements[0].row = {{"sides", {number, 2}}, {"text", "a \"b\"\n"}};
+  r.judgements[1].applies = false;
+  return r;
+}
+
+// How opening the journal is refused; "" if it is not.
+std::string refusal(const std::string& path, const std::string& run, std::size_t cases = 10) {
+  try {
+    Journal journal(path, run, cases, 2);
+    return "";
+  } catch (const program::UsageError& error) {
+    return error.what();
+  }
+}
+
+// A run that is slow enough to be killed on its way, and its number of regions.
+const std::string kRun = "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
+
+}  // namespace
+
+TEST_CASE("results come back from JSON as they were", "[journal]") {
+  CaseResult r = some_result(7);
+  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  const CaseResult back = case_result(nlohmann::ordered_json::parse(to_json(r).dump()), 2);
+  REQUIRE(back.judgements.size() == 2);
+  CHECK(back.judgements[0].row.dump() == r.judgements[0].row.dump());
+  CHECK(back.judgements[0].checks == 7);
+  CHECK(back.judgements[0].violation->what == "what");
+  CHECK(back.judgements[0].violation->configuration == "(1,2)");
+  CHECK(back.judgements[0].violation->move == "open");
+  CHECK(back.judgements[0].violation->mesh->mesh == tests::grid(3, 2).mesh);
+  CHECK(back.judgements[0].violation->mesh->root == tests::grid(3, 2).root);
+  CHECK_FALSE(back.judgements[1].applies);
+  CHECK(back.seconds == r.seconds);
+  CHECK_THROWS(case_result(to_json(r), 0));
+}
+
+TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[journal]") {
+  const std::string path = (scratch() / "unit.journal").string();
+  {
+    Journal journal(path, "run a", 10, 2);
+    CHECK(journal.results().empty());
+    journal.append(3, some_result(3));
+    journal.append(0, some_result(0));
+    CHECK(refusal(path, "run a") == "--journal: " + path + ": is in use by another run");
+  }
+  const std::string whole = slurp(path);
+  CHECK(lines_of(whole) == 3);
+  {
+    Journal journal(path, "run a", 10, 2);
+    CHECK(journal.results().size() == 2);
+    CHECK(journal.results().at(3).judgements[0].checks == 3);
+  }
+  CHECK(slurp(path) == whole);
+  CHECK(refusal(path, "run b") == "--journal: " + path + ": line 1: it belongs to another run: run a");
+  CHECK(slurp(path) == whole);
+  CHECK(refusal(path, "run a", 2) == "--journal: " + path + ": line 2: there is no case 3");
+
+  // Cut anywhere: what is whole stays, the rest goes, and the journal can be added to.
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    spill(path, whole.substr(0, size));
+    const std::size_t kept = lines_of(whole.substr(0, size));
+    Journal journal(path, "run a", 10, 2);
+    REQUIRE(journal.results().size() == (kept > 1 ? kept - 1 : 0));
+    journal.append(7, some_result(7));
+    REQUIRE(lines_of(slurp(path)) == std::max<std::size_t>(kept, 1) + 1);
+  }
+
+  // Damage before the end is none that a killed run leaves.
+  const std::size_t second = whole.find('\n') + 1;
+  for (std::size_t at = 0; at < whole.rfind('\n', whole.size() - 2); at += 7) {
+    std::string damaged = whole;
+    damaged[at] = damaged[at] == 'x' ? 'y' : 'x';
+    spill(path, damaged);
+    REQUIRE_FALSE(refusal(path, "run a").empty());
+    REQUIRE(slurp(path) == damaged);
+  }
+  spill(path, whole + whole.substr(second));
+  CHECK(refusal(path, "run a") == "--journal: " + path + ": line 4: case 3 stands here twice");
+
+  // Files that are something else are left alone.
+  for (const std::string text : {"x", "hello\n", "a\nb\n"}) {
+    spill(path, text);
+    CHECK(refusal(path, "run a") == "--journal: " + path + ": line 1: this is no journal of requad-verify");
+    CHECK(slurp(path) == text);
+  }
+  CHECK(refusal(scratch().string(), "run a").find("can not be opened") != std::string::npos);
+}
+
+TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
+  const Outcome at_once = call("verify", kRun + "--json at-once.json --threads 1");
+  REQUIRE(at_once.code == 0);
+  const Outcome two = call("verify", kRun + "--json two.json --threads 2");
+  CHECK(two.code == 0);
+  const std::string expected = without_seconds(slurp(scratch() / "at-once.json"));
+  CHECK(without_seconds(slurp(scratch() / "two.json")) == expected);
+  CHECK(expected.find("\"walk\":") != std::string::npos);
+  CHECK(expected.find("\"methods\":[\"moves\",\"search\",\"walk\"]") != std::string::npos);
+
+  const auto journal = scratch() / "killed.journal";
+  const std::string program = REQUAD_PROGRAM_DIR "/requad-verify";
+  const std::string command = "cd '" + scratch().string() + "' && exec '" + program + "' " + kRun + "--threads 2 --journal killed.journal";
+  int kills = 0;
+  for (const std::size_t lines : {std::size_t{4}, std::size_t{20}}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    REQUIRE(child > 0);
+    while (lines_of(slurp(journal)) < lines && waitpid(child, nullptr, WNOHANG) == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (kill(child, SIGKILL) == 0) {
+      int status = 0;
+      if (waitpid(child, &status, 0) == child && WIFSIGNALED(status)) ++kills;
+    }
+  }
+  CHECK(kills == 2);
+  const std::size_t kept = lines_of(slurp(journal));
+  // The end of a line, as if it had been torn.
+  std::ofstream(journal, std::ios::app) << slurp(journal).substr(0, 40);
+  const Outcome rest = call("verify", kRun + "--json rest.json --journal killed.journal");
+  REQUIRE(rest.code == 0);
+  CHECK(without_seconds(slurp(scratch() / "rest.json")) == expected);
+  const std::string full = slurp(journal);
+  CHECK(lines_of(full) > kept);
+  // All is there now: nothing is run, and the report is the same.
+  CHECK(call("verify", kRun + "--json again.json --journal killed.journal").code == 0);
+  CHECK(slurp(journal) == full);
+  CHECK(without_seconds(slurp(scratch() / "again.json")) == expected);
+
+  // Another run's journal, in one line.
+  const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
+  CHECK(other.code == 2);
+  CHECK(lines_of(other.err) == 1);
+  CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 claims T2 T4 M1; digon 3..16;") != std::string::npos);
+  CHECK(slurp(journal) == full);
+}
+
+TEST_CASE("verify walks alone, far beyond what moves and search can do", "[journal]") {
+  const Outcome made = call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
+  CHECK(made.code == 0);
+  // Theorem 7.2 for L = 150, N = 75: N (N - 1); Theorem 7.3 for L = 41, N = 20: 3 N^2.
+  CHECK(made.out.find("\"walk\":5550") != std::string::npos);
+  CHECK(made.out.find("\"walk\":1200") != std::string::npos);
+  CHECK(made.out.find("\"methods\":[\"walk\"]") != std::string::npos);
+  CHECK(call("verify", "--claim T2 --digon 150").code == 2);
+  CHECK(call("verify", "--claim T2 --method walk --digon 2001").code == 2);
+}

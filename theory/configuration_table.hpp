@@ -1,0 +1,74 @@
+// The predicted configuration graph of configuration_graph.hpp in a few bytes for each configuration: numbers instead of
+// nodes, and moves worked out when they are asked for. For regions with hundreds of thousands of configurations.
+//
+// A configuration is found by its grid point and p (GridPoint; Theorem 7.4's for a 3-5 pair), its moves have the slots of
+// MapNode::moves. tests/theory_tests.cpp compares the two representations, move by move.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "theory/configuration_graph.hpp"
+
+namespace requad::theory {
+
+// A labelling as the grid sees it.
+struct Place {
+  int p = 1;
+  GridPoint at;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+class ConfigurationTable {
+ public:
+  // All configurations of the region, merged ones included. Throws as parameter_set(), and std::invalid_argument if the
+  // region has more than one merged configuration. O(L^2) numbers of memory, besides parameter_set() on the way.
+  ConfigurationTable(PairType type, const IntegerVector& sides);
+
+  PairType type() const { return type_; }
+  const IntegerVector& sides() const { return sides_; }
+  // Configurations that hold the pair, numbered 0..pairs()-1; the merged one, if there is one, is number pairs().
+  int pairs() const { return pairs_; }
+  bool has_merged() const { return merged_; }
+  int size() const { return pairs_ + (merged_ ? 1 : 0); }
+  // One with the fewest quads. Precondition: pairs() > 0.
+  const Configuration& smallest() const { return smallest_; }
+  // The most quads that any of them has, the merged one among them, and the most vertices (by Euler's formula).
+  Integer most_faces() const { return most_faces_; }
+  Integer most_vertices() const { return most_faces_ + 1 + sides_.sum() / 2; }
+  // Edges of the predicted multigraph, those of the merged configuration among them. O(size()).
+  std::int64_t count_edges() const;
+
+  std::size_t bytes() const { return number_.capacity() * sizeof(number_[0]); }
+
+  // The number of a configuration by its canonical place (d2 = 0 rather than d1 = 0); -1 if there is none. O(1).
+  int find(const Place& canonical) const;
+
+  // Moves. A pair has kStepCount slots, the merged one rotation_count().
+  struct Move {
+    int target = -1;     // its number; -1 where the region has no room for the step
+    Place to;            // canonical, of the target
+    int back_slot = -1;  // the slot of the target that leads back
+    int step = -1;       // in the labelling that the slot belongs to
+    bool other = false;  // that labelling is other_labelling() of the configuration
+  };
+  // O(1). Precondition: the place is canonical and 0 <= slot < slot_count().
+  Move move(const Place& place, int slot) const;
+  int slot_count(const Place& place) const { return is_merged(place) ? type_.rotation_count() : kStepCount; }
+  bool is_merged(const Place& place) const { return type_.symmetric() && place.at.m == 0 && place.at.n == 0; }
+
+ private:
+  bool degenerate(const Place& place) const { return type_.symmetric() && (place.at.m == 0 || place.at.n == 0); }
+
+  PairType type_;
+  IntegerVector sides_;
+  int pairs_ = 0;
+  bool merged_ = false;
+  Configuration smallest_;
+  Integer most_faces_ = 0;
+  Integer columns_ = 0;  // values of m, from 0 on
+  Integer rows_ = 0;     // values of n
+  std::vector<std::int32_t> number_;
+};
+
+}  // namespace requad::theory

@@ -1,0 +1,74 @@
+// The vector of Theorem 7.11: where the separatrices of a pair meet the boundary, and what that tells of the pair.
+//
+// Terms
+//   crossing     (S, u) of one separatrix: the side that it meets and the distance from that side's start; here with
+//                the separatrix's length, which the theorem does not need.
+//   frame order  the separatrices of a vertex counter-clockwise from its first leg: first leg, second leg, outward ones.
+//                R_alpha lies between the two legs.
+//
+// Law 5   with a labelling (d1, d2, e, p) and sides E, label i on side i + p - 1 of the region (indices modulo k), f and
+//         l the labels of a vertex's first and last outward separatrix, primed for the other vertex:
+//           outward separatrix i   meets side i at e_{i-1} + (d1 if i is a first one), after e_i edges
+//           first leg              meets side f' at e_{f'-1}, after d2 + e_{f'} edges
+//           second leg             meets side l' at E_{l'} - e_{l'+1}, after d1 + e_{l'} edges
+// In words: beyond R_alpha a leg runs beside an outward separatrix of the other vertex, on whose side it ends, before the
+// first or beyond the last of them. A leg that joins the two vertices (the second ones if d2 = 0) meets no side.
+//
+// Law 6   (Theorem 7.11) So the vector determines the labelling: e_{i-1} is where the first crossing of side i lies,
+//         e_{i+1} what is left of the side after the last one, d1 and d2 are what lies between.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "theory/configurations.hpp"
+
+namespace requad::theory {
+
+struct Crossing {
+  int side = -1;          // 0-based, from side 1 of the region on; -1: the separatrix ends at the other vertex
+  Integer distance = -1;  // from the side's start, counter-clockwise
+  Integer length = 0;     // in edges
+  friend bool operator==(const Crossing&, const Crossing&) = default;
+};
+
+// Labels of regions with so many sides fit in this module's arrays: no allocation.
+inline constexpr int kMostSides = 8;
+inline constexpr int kMostSeparatrices = 8;  // of one vertex
+
+// A labelling as plain numbers; e has side_count() entries.
+struct Labelling {
+  int p = 1;
+  Integer d1 = 0;
+  Integer d2 = 0;
+  std::array<Integer, kMostSides> e{};
+  friend bool operator==(const Labelling&, const Labelling&) = default;
+};
+Labelling to_labelling(const Configuration& configuration);
+Configuration to_configuration(PairType type, const Labelling& labelling);
+
+// Law 5, the crossings of both vertices in frame order. Precondition: type.side_count() <= kMostSides, d1 > 0 or d2 > 0.
+struct SeparatrixVector {
+  std::array<Crossing, kMostSeparatrices> at_v1{};
+  std::array<Crossing, kMostSeparatrices> at_v2{};
+};
+SeparatrixVector separatrix_vector(PairType type, const IntegerVector& sides, const Labelling& labelling);
+
+// Law 6. `at_v1` and `at_v2` are counter-clockwise from any separatrix. The labelling is canonical: d1 > 0 and, for equal
+// valences, p <= k / 2.
+struct Located {
+  Labelling labelling;
+  bool swapped = false;  // labels 1.. are the second vertex's (equal valences only)
+  int leg1 = 0;          // index of the first leg in at_v1
+  int leg2 = 0;          // in at_v2
+};
+// Nothing if no labelling has this very vector, lengths included. O(l1 l2), no allocation.
+std::optional<Located> locate(PairType type, const IntegerVector& sides, std::span<const Crossing> at_v1,
+                              std::span<const Crossing> at_v2);
+
+// The same for the merged vertex: separatrix i meets side i at e_{i-1}, after e_i edges. Index of the separatrix that
+// meets side 1; -1 if the vector is not that of a merged vertex.
+int locate_merged(const IntegerVector& sides, std::span<const Crossing> at_v);
+
+}  // namespace requad::theory

@@ -1,0 +1,108 @@
+#include "verify/case_result.hpp"
+
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "verify/judging.hpp"
+
+namespace requad::verify {
+
+using nlohmann::ordered_json;
+
+CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected, const std::set<Method>& methods,
+                    const enumerate::WalkProgress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto failed = [](const std::exception& error) {
+    Judgement j;
+    j.violation = Violation{error.what(), "", "", std::nullopt};
+    return j;
+  };
+  CaseResult result;
+  const auto start = Clock::now();
+  try {
+    const Study s = study(region, methods, progress);
+    result.study_seconds = since(start);
+    for (const Claim* claim : selected) {
+      const auto judging = Clock::now();
+      try {
+        const bool concerns = claim->families.count(region.family) > 0;
+        result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
+      } catch (const std::exception& error) {
+        result.judgements.push_back(failed(error));
+      }
+      result.seconds.push_back(since(judging));
+    }
+  } catch (const std::exception& error) {
+    result.judgements.assign(selected.size(), failed(error));
+    result.seconds.assign(selected.size(), 0);
+  }
+  return result;
+}
+
+namespace {
+
+// Without the gaps of its ids: no report and no file shows them.
+ordered_json region_json(const mesh::Region& region) {
+  const auto faces = region.mesh.faces();
+  std::size_t root = 0;
+  while (faces[root] != mesh::QuadMesh::face(region.root)) ++root;
+  return {{"vertices", region.mesh.vertex_count()},
+          {"root", 4 * root + static_cast<std::size_t>(region.root.index() & 3)},
+          {"faces", region.mesh.compact_faces()}};
+}
+
+mesh::Region region_from(const ordered_json& json) {
+  const auto faces = json.at("faces").get<std::vector<std::array<int, 4>>>();
+  return {mesh::QuadMesh::from_faces(json.at("vertices").get<int>(), faces),
+          mesh::HalfEdgeId(json.at("root").get<std::int32_t>())};
+}
+
+}  // namespace
+
+// Claims that say nothing about the region are left out: most of them, mostly.
+ordered_json to_json(const CaseResult& result) {
+  ordered_json json{{"study_seconds", result.study_seconds}, {"claims", ordered_json::array()}};
+  for (std::size_t i = 0; i < result.judgements.size(); ++i) {
+    const Judgement& j = result.judgements[i];
+    if (!j.applies) continue;
+    ordered_json entry{{"claim", i}, {"seconds", result.seconds[i]}, {"checks", j.checks}};
+    if (!j.row.is_null()) entry["row"] = j.row;
+    if (j.violation) {
+      entry["violation"] = {{"what", j.violation->what},
+                            {"configuration", j.violation->configuration},
+                            {"move", j.violation->move},
+                            {"mesh", j.violation->mesh ? region_json(*j.violation->mesh) : ordered_json()}};
+    }
+    json["claims"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+CaseResult case_result(const ordered_json& json, std::size_t claims) {
+  CaseResult result;
+  result.study_seconds = json.at("study_seconds").get<double>();
+  result.judgements.assign(claims, not_applicable());
+  result.seconds.assign(claims, 0);
+  for (const ordered_json& entry : json.at("claims")) {
+    const auto i = entry.at("claim").get<std::size_t>();
+    if (i >= claims) throw std::invalid_argument("no claim " + std::to_string(i));
+    Judgement& j = result.judgements[i];
+    j.applies = true;
+    j.checks = entry.at("checks").get<std::int64_t>();
+    if (entry.contains("row")) j.row = entry["row"];
+    if (entry.contains("violation")) {
+      const ordered_json& v = entry["violation"];
+      j.violation = Violation{v.at("what").get<std::string>(), v.at("configuration").get<std::string>(),
+                              v.at("move").get<std::string>(), std::nullopt};
+      if (!v.at("mesh").is_null()) j.violation->mesh = region_from(v["mesh"]);
+    }
+    result.seconds[i] = entry.at("seconds").get<double>();
+  }
+  return result;
+}
+
+}  // namespace requad::verify
