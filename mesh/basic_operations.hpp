@@ -119,3 +119,5 @@ struct Applied {
 Applied apply(QuadMesh& mesh, const BasicOperation& operation);
 
 }  // namespace requad::mesh
+
+#include "mesh/surgery.hpp"
