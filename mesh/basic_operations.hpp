@@ -122,3 +122,5 @@ Applied apply(QuadMesh& mesh, const BasicOperation& operation);
 Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
 
 }  // namespace requad::mesh
+
+#include "mesh/surgery.hpp"

@@ -10,64 +10,97 @@ namespace {
 
 std::string edge_name(int a, int b) { return "edge " + std::to_string(a) + "-" + std::to_string(b); }
 
-}  // namespace
-
-QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 4>> faces) {
-  QuadMesh mesh;
-  const std::size_t half_edges = 4 * faces.size();
-  if (half_edges > (std::size_t{1} << 31) - 1) throw MeshError("too many faces: " + std::to_string(faces.size()));
-  mesh.twin_.resize(half_edges);
-  mesh.origin_.resize(half_edges);
-  mesh.out_.resize(static_cast<std::size_t>(vertex_count));
-
+// For a face list in which some edge has more than two faces or two that are not oriented alike: throws for the first
+// such edge, by its ends.
+[[noreturn]] void fail_at_first_edge(std::span<const std::array<int, 4>> faces) {
   struct Side {
     int low, high;
-    std::int32_t half_edge;
+    std::size_t half_edge;
     bool forward;
   };
   std::vector<Side> sides;
-  sides.reserve(half_edges);
+  sides.reserve(4 * faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::size_t k = 0; k < 4; ++k) {
       const int a = faces[f][k];
       const int b = faces[f][(k + 1) % 4];
-      if (a < 0 || a >= vertex_count) {
-        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " is not in 0.." + std::to_string(vertex_count - 1));
-      }
-      if (a == b || a == faces[f][(k + 2) % 4]) {
-        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " occurs twice");
-      }
-      const auto h = static_cast<std::int32_t>(4 * f + k);
-      mesh.origin_[4 * f + k] = VertexId(a);
-      mesh.out_[static_cast<std::size_t>(a)] = HalfEdgeId(h);
-      sides.push_back({std::min(a, b), std::max(a, b), h, a < b});
+      sides.push_back({std::min(a, b), std::max(a, b), 4 * f + k, a < b});
     }
   }
   std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
     return std::tie(x.low, x.high, x.half_edge) < std::tie(y.low, y.high, y.half_edge);
   });
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    for (end = i + 1; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high;) ++end;
     const std::string name = edge_name(sides[i].low, sides[i].high);
     if (end - i > 2) throw MeshError(name + " has " + std::to_string(end - i) + " faces");
-    if (end - i == 2) {
-      if (sides[i].forward == sides[i + 1].forward) {
-        throw MeshError(name + ": faces " + std::to_string(sides[i].half_edge / 4) + " and " +
-                        std::to_string(sides[i + 1].half_edge / 4) + " are not oriented alike");
-      }
-      mesh.twin_[static_cast<std::size_t>(sides[i].half_edge)] = HalfEdgeId(sides[i + 1].half_edge);
-      mesh.twin_[static_cast<std::size_t>(sides[i + 1].half_edge)] = HalfEdgeId(sides[i].half_edge);
+    if (end - i == 2 && sides[i].forward == sides[i + 1].forward) {
+      throw MeshError(name + ": faces " + std::to_string(sides[i].half_edge / 4) + " and " +
+                      std::to_string(sides[i + 1].half_edge / 4) + " are not oriented alike");
     }
-    i = end;
+  }
+  throw std::logic_error("from_faces() refused an edge that is in order");
+}
+
+}  // namespace
+
+QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 4>> faces) {
+  constexpr std::size_t kMostFaces = (std::size_t{1} << 29) - 1;
+  if (faces.size() > kMostFaces) throw MeshError("too many faces: " + std::to_string(faces.size()));
+  QuadMesh mesh;
+  mesh.sides_.resize(4 * faces.size());
+  mesh.out_.resize(static_cast<std::size_t>(vertex_count));
+  std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = faces[f][k];
+      if (a < 0 || a >= vertex_count) {
+        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " is not in 0.." +
+                        std::to_string(vertex_count - 1));
+      }
+      if (a == faces[f][(k + 1) % 4] || a == faces[f][(k + 2) % 4]) {
+        throw MeshError("face " + std::to_string(f) + ": vertex " + std::to_string(a) + " occurs twice");
+      }
+      const HalfEdgeId h(static_cast<std::int32_t>(4 * f + k));
+      mesh.sides_[h.slot()].origin = VertexId(a);
+      mesh.out_[static_cast<std::size_t>(a)] = h;
+      ++degree[static_cast<std::size_t>(a)];
+    }
   }
 
-  // One fan per vertex, starting at the boundary where there is one.
-  std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);
-  for (std::size_t h = 0; h < half_edges; ++h) {
-    ++degree[mesh.origin_[h].slot()];
-    if (!mesh.twin_[h].valid()) mesh.out_[mesh.origin_[h].slot()] = HalfEdgeId(static_cast<std::int32_t>(h));
+  // An edge's first half-edge joins a list that one end of the edge heads, where the second one finds it. It is the end
+  // of lower degree: the lower degrees of all edges sum to O(F) on a surface of bounded genus, whatever the valences
+  // (N. Chiba, T. Nishizeki, Arboricity and subgraph listing algorithms, 1985).
+  std::vector<HalfEdgeId> head(static_cast<std::size_t>(vertex_count));
+  std::vector<HalfEdgeId> following(mesh.sides_.size());
+  bool edges_are_good = true;
+  for (int i = 0; i < mesh.half_edge_capacity(); ++i) {
+    const HalfEdgeId h(i);
+    const VertexId from = mesh.origin(h);
+    const VertexId to = mesh.target(h);
+    const auto rank = [&degree](VertexId v) { return std::pair(degree[v.slot()], v); };
+    HalfEdgeId& first = head[std::min(rank(from), rank(to)).second.slot()];
+    HalfEdgeId other = first;
+    while (other.valid() && !(mesh.origin(other) == to && mesh.target(other) == from)) {
+      edges_are_good = edges_are_good && !(mesh.origin(other) == from && mesh.target(other) == to);
+      other = following[other.slot()];
+    }
+    if (!other.valid()) {
+      following[h.slot()] = first;
+      first = h;
+    } else {
+      edges_are_good = edges_are_good && !mesh.twin(other).valid();
+      mesh.sides_[h.slot()].twin = other;
+      mesh.sides_[other.slot()].twin = h;
+    }
   }
+  if (!edges_are_good) fail_at_first_edge(faces);
+
+  for (int i = 0; i < mesh.half_edge_capacity(); ++i) {
+    const HalfEdgeId h(i);
+    if (mesh.is_boundary(h)) mesh.out_[mesh.origin(h).slot()] = h;
+  }
+  // One fan per vertex, which starts at the boundary where there is one.
   for (int v = 0; v < vertex_count; ++v) {
     const VertexId vertex(v);
     if (!mesh.out(vertex).valid()) throw MeshError("vertex " + std::to_string(v) + " has no face");
@@ -78,14 +111,14 @@ QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 
   return mesh;
 }
 
-QuadMesh QuadMesh::from_arrays_unchecked(std::vector<HalfEdgeId> twin, std::vector<VertexId> origin,
+QuadMesh QuadMesh::from_arrays_unchecked(const std::vector<HalfEdgeId>& twin, const std::vector<VertexId>& origin,
                                          std::vector<HalfEdgeId> out) {
   QuadMesh mesh;
-  mesh.twin_ = std::move(twin);
-  mesh.origin_ = std::move(origin);
+  mesh.sides_.reserve(twin.size());
+  for (std::size_t h = 0; h < twin.size(); ++h) mesh.sides_.push_back({twin[h], origin[h]});
   mesh.out_ = std::move(out);
-  for (std::size_t f = 0; 4 * f + 3 < mesh.origin_.size(); ++f) {
-    if (!mesh.origin_[4 * f].valid()) mesh.free_faces_.emplace_back(static_cast<std::int32_t>(f));
+  for (std::size_t f = 0; 4 * f + 3 < mesh.sides_.size(); ++f) {
+    if (!mesh.sides_[4 * f].origin.valid()) mesh.free_faces_.emplace_back(static_cast<std::int32_t>(f));
   }
   for (std::size_t v = 0; v < mesh.out_.size(); ++v) {
     if (!mesh.out_[v].valid()) mesh.free_vertices_.emplace_back(static_cast<std::int32_t>(v));
@@ -94,15 +127,14 @@ QuadMesh QuadMesh::from_arrays_unchecked(std::vector<HalfEdgeId> twin, std::vect
 }
 
 void QuadMesh::reserve(int faces, int vertices) {
-  twin_.reserve(4 * static_cast<std::size_t>(faces));
-  origin_.reserve(4 * static_cast<std::size_t>(faces));
+  sides_.reserve(4 * static_cast<std::size_t>(faces));
   out_.reserve(static_cast<std::size_t>(vertices));
   free_faces_.reserve(static_cast<std::size_t>(faces));
   free_vertices_.reserve(static_cast<std::size_t>(vertices));
 }
 
 std::size_t QuadMesh::bytes() const {
-  return twin_.capacity() * sizeof(HalfEdgeId) + origin_.capacity() * sizeof(VertexId) + out_.capacity() * sizeof(HalfEdgeId) +
+  return sides_.capacity() * sizeof(Side) + out_.capacity() * sizeof(HalfEdgeId) +
          free_faces_.capacity() * sizeof(FaceId) + free_vertices_.capacity() * sizeof(VertexId);
 }
 
@@ -217,12 +249,10 @@ QuadMesh QuadMesh::with_free_ids(std::vector<FaceId> free_faces, std::vector<Ver
     return h.valid() ? half_edge(face_ids[face(h).slot()], h.index() & 3) : h;
   };
   QuadMesh mesh;
-  mesh.twin_.resize(4 * (face_ids.size() + free_faces.size()));
-  mesh.origin_.resize(mesh.twin_.size());
+  mesh.sides_.resize(4 * (face_ids.size() + free_faces.size()));
   mesh.out_.resize(vertex_ids.size() + free_vertices.size());
   for (const HalfEdgeId h : half_edges()) {
-    mesh.twin_[renamed(h).slot()] = renamed(twin(h));
-    mesh.origin_[renamed(h).slot()] = vertex_ids[origin(h).slot()];
+    mesh.sides_[renamed(h).slot()] = {renamed(twin(h)), vertex_ids[origin(h).slot()]};
   }
   for (const VertexId v : vertices()) mesh.out_[vertex_ids[v.slot()].slot()] = renamed(out(v));
   mesh.free_faces_ = std::move(free_faces);
@@ -255,13 +285,12 @@ bool equal_up_to(const std::vector<T>& a, std::size_t drop_a, const std::vector<
 }  // namespace
 
 bool operator==(const QuadMesh& a, const QuadMesh& b) {
-  const std::size_t faces_a = grown_for_nothing(a.free_faces_, a.twin_.size() / 4);
-  const std::size_t faces_b = grown_for_nothing(b.free_faces_, b.twin_.size() / 4);
+  const std::size_t faces_a = grown_for_nothing(a.free_faces_, a.sides_.size() / 4);
+  const std::size_t faces_b = grown_for_nothing(b.free_faces_, b.sides_.size() / 4);
   const std::size_t vertices_a = grown_for_nothing(a.free_vertices_, a.out_.size());
   const std::size_t vertices_b = grown_for_nothing(b.free_vertices_, b.out_.size());
   return a.out_.size() - vertices_a == b.out_.size() - vertices_b &&
-         equal_up_to(a.twin_, 4 * faces_a, b.twin_, 4 * faces_b, false) &&
-         equal_up_to(a.origin_, 4 * faces_a, b.origin_, 4 * faces_b, false) &&
+         equal_up_to(a.sides_, 4 * faces_a, b.sides_, 4 * faces_b, false) &&
          equal_up_to(a.free_faces_, faces_a, b.free_faces_, faces_b, true) &&
          equal_up_to(a.free_vertices_, vertices_a, b.free_vertices_, vertices_b, true);
 }

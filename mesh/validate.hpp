@@ -10,7 +10,7 @@ namespace requad::mesh {
 
 struct Defect {
   enum class Kind {
-    sizes,            // array sizes are not 4 F, 4 F, V
+    sizes,            // half-edges are not four for each face
     range,            // an index is out of range, or points to a deleted element
     half_deleted,     // a face of which some corners are deleted
     twin,             // twin is no involution, or pairs a half-edge with itself (I1)

@@ -1,0 +1,52 @@
+// The same operations through every subject (subjects.hpp): each benchmark is registered once for each of them, so that
+// one run gives the ratios.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include "bench/subjects.hpp"
+
+namespace requad::bench {
+
+// How long does a flip and the flip back take, at random sites of a torus of n x n quads?
+template <class Subject>
+void flip_and_back(benchmark::State& state) {
+  require_same_meshes<Subject>();
+  const int n = static_cast<int>(state.range(0));
+  Subject subject(n);
+  std::vector<typename Subject::Site> sites;
+  for (const auto& [a, b] : random_sites(n)) sites.push_back(subject.site(a, b));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    auto& site = sites[i];
+    site = subject.flip_back(subject.flip(site));
+    if (++i == sites.size()) i = 0;
+  }
+}
+
+// How long does a collapse and the split that takes it back take, at random sites of a torus of n x n quads?
+template <class Subject>
+void collapse_and_split(benchmark::State& state) {
+  require_same_meshes<Subject>();
+  const int n = static_cast<int>(state.range(0));
+  Subject subject(n);
+  std::vector<typename Subject::Site> sites;
+  for (const auto& [a, b] : random_sites(n)) sites.push_back(subject.site(a, b));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    auto& site = sites[i];
+    site = subject.split(subject.collapse(site));
+    if (++i == sites.size()) i = 0;
+  }
+}
+
+template <class Subject>
+void register_operations() {
+  const auto add = [](const char* name, void (*function)(benchmark::State&)) {
+    benchmark::RegisterBenchmark((std::string(name) + "/" + Subject::kName).c_str(), function)->Arg(128)->Arg(1024);
+  };
+  add("flip_and_back", flip_and_back<Subject>);
+  add("collapse_and_split", collapse_and_split<Subject>);
+}
+
+}  // namespace requad::bench
