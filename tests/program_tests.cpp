@@ -1,6 +1,7 @@
 // The programs from outside: exit codes, one clear line for bad input, nothing half written.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
