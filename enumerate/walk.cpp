@@ -1,7 +1,8 @@
 #include "enumerate/walk.hpp"
 
 #include <array>
-#include <stdexcept>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -8,7 +8,8 @@
 // Depth first. At each configuration the steps that theory names are tried in turn, unless the edge was walked from its
 // other end. Each must be refused or lead where the table says. A step into a new configuration is taken back when
 // everything beyond it was seen, any other at once: so every edge is walked both ways, and after every move, and after
-// every refusal, the mesh is identified afresh. What the walk remembers is two bytes for each configuration.
+// every refusal, the mesh is identified afresh. What the walk remembers is two bytes for each configuration,
+// beside theory's table of them.
 //
 // The walk trusts nothing that it did before: not the pair's legs, nor their lengths, nor that a refused move changed
 // nothing. It takes from the moves only which vertices the pair now is. What it can not see is a fault that leaves all

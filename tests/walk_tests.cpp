@@ -273,7 +273,7 @@ TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[
     theory::PairType type;
     theory::IntegerVector e;
   };
-  for (const Case& c : {Case{theory::kDigon, regular(theory::kDigon, 110)}, Case{theory::kHexagon, regular(theory::kHexagon, 44)},
+  for (const Case& c : {Case{theory::kDigon, regular(theory::kDigon, 110)}, Case{theory::kHexagon, regular(theory::kHexagon, 60)},
                         Case{theory::kQuad, sides({60, 70, 50, 90})}}) {
     INFO(c.type.name());
     std::vector<std::int64_t> counts;
