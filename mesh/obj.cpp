@@ -1,6 +1,6 @@
 #include "mesh/obj.hpp"
 
-#include "mesh/embedding.hpp"
+#include "mesh/drawing.hpp"
 #include "mesh/number_text.hpp"
 #include "mesh/program.hpp"
 
@@ -44,7 +44,7 @@ void save_obj(const std::string& path, const QuadMesh& m, const Positions& posit
 
 void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments) {
   Positions positions;
-  for (const Eigen::Vector2d& p : embed(region)) positions.emplace_back(p.x(), p.y(), 0);
+  for (const Eigen::Vector2d& p : draw(region)) positions.emplace_back(p.x(), p.y(), 0);
   save_obj(path, region.mesh, positions, comments);
 }
 

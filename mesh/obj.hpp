@@ -20,7 +20,7 @@ void write_obj(std::ostream& out, const QuadMesh& mesh, const Positions& positio
 void save_obj(const std::string& path, const QuadMesh& mesh, const Positions& positions,
               const std::vector<std::string>& comments = {});
 
-// A region as embed() draws it, in the plane z = 0.
+// A region as draw() draws it, in the plane z = 0.
 void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments = {});
 
 }  // namespace requad::mesh

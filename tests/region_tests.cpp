@@ -1,8 +1,7 @@
-// Regions, separatrices, pairs read off the mesh, drawings.
+// Regions, separatrices, pairs read off the mesh.
 #include <cmath>
 
 #include "enumerate/generators.hpp"
-#include "mesh/embedding.hpp"
 #include "mesh/pair_frame.hpp"
 #include "mesh/region.hpp"
 #include "mesh/separatrix.hpp"
@@ -68,23 +67,6 @@ TEST_CASE("frames: extents, both ends, R_alpha", "[region]") {
       REQUIRE(static_cast<int>(faces->size()) == f.a * f.b);
       REQUIRE(static_cast<int>(outward(m, f).size()) == m.valence(f.v1) - 2);
       REQUIRE(graph_distance(m, f.v1, f.v2) == f.a + f.b);
-    }
-  }
-}
-
-TEST_CASE("drawings: no quad is turned over", "[region]") {
-  for (const tests::CensusEntry& entry : tests::census(16, true)) {
-    const QuadMesh& m = entry.region.mesh;
-    const auto at = embed(entry.region);
-    for (const FaceId f : m.faces()) {
-      double doubled_area = 0;
-      const auto c = m.corners(f);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto& p = at[c[k].slot()];
-        const auto& q = at[c[(k + 1) % 4].slot()];
-        doubled_area += p.x() * q.y() - p.y() * q.x();
-      }
-      REQUIRE(doubled_area > 1e-9);
     }
   }
 }
