@@ -87,6 +87,9 @@ TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
       CHECK(lens[i].x() >= lens[0].x());
     }
   }
+  // Arcs as long as the sides, of which the chords are a little less.
+  const std::vector<Vector2d> uneven = outline({6, 8});
+  for (std::size_t i = 0; i < 14; ++i) CHECK((uneven[(i + 1) % 14] - uneven[i]).norm() == Approx(1).epsilon(0.01));
   // A drop's corner is a right angle, a circle has none.
   const std::vector<Vector2d> drop = outline({40});
   CHECK((drop[1] - drop[0]).dot(drop[39] - drop[0]) == Approx(0).margin(1e-9));
@@ -154,6 +157,24 @@ TEST_CASE("what is no drawing is named", "[drawing]") {
   bad = good;
   bad[corner] = good[15] + Vector2d(1, 1);
   CHECK(!drawing_problem(grid, bad).empty());
+  // A quad that crosses itself, counter-clockwise in the larger part.
+  const Region one = tests::grid(1, 1);
+  const auto order = boundary_loop(one.mesh, one.root);
+  bad.assign(4, Vector2d::Zero());
+  const std::array<Vector2d, 4> crossed{Vector2d(0, 0), Vector2d(4, 0), Vector2d(0.5, 2), Vector2d(3, -0.2)};
+  for (std::size_t i = 0; i < 4; ++i) bad[one.mesh.origin(order[i]).slot()] = crossed[i];
+  CHECK(drawing_problem(one, bad).find("quad") == 0);
+  // A long fan, where whole steps would turn quads over.
+  const Region wide = tests::grid(30, 6);
+  std::vector<Vector2d> fan(static_cast<std::size_t>(wide.mesh.vertex_capacity()));
+  for (const VertexId v : wide.mesh.vertices()) {
+    const double x = v.index() / 7 / 30.0, y = v.index() % 7 / 6.0;
+    fan[v.slot()] = {x, y * (0.02 + x * x)};
+  }
+  const auto before = fan;
+  draw_inside(wide.mesh, fan);
+  CHECK(drawing_problem(wide, fan).empty());
+  CHECK(fan[7] == before[7]);  // on the boundary
   // A spiral of quads that covers a part of the plane twice, though no quad is turned over.
   tests::FaceList strip;
   std::vector<Vector2d> at;
