@@ -6,8 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/options.hpp"
+#include "figures/explorer_command.hpp"
 #include "figures/graphviz.hpp"
+#include "mesh/options.hpp"
 
 namespace {
 
@@ -17,6 +18,7 @@ using program::UsageError;
 constexpr const char* kHelp = R"(requad-figures: the configuration grids of the paper, from meshes that pair moves made
 
   requad-figures [--figure N]... [--format dot|svg|pdf|png]... [-o DIR]
+  requad-figures --explorer --sides S1,S2,... --pair 3-3|5-5|3-5 [-o FILE.html]
 
   --figure 10|11|12   which figure; may be repeated (default: all)
       10   3-3 pairs in regular digons of side L and L-1, a rotated grid; even sides red, odd sides blue;
@@ -27,12 +29,15 @@ constexpr const char* kHelp = R"(requad-figures: the configuration grids of the 
   --pair-region D1,D2,M,N   for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)
   --format F          dot, svg, pdf or png; may be repeated (default: dot and svg)
   -o DIR              folder for the files figure-N.F (default .)
+  --explorer          one HTML file in which the configurations of a region and their moves can be walked through, with
+                      no server and no network (default explorer.html); at most 150 configurations
   --json FILE|-       what was written
   --quiet  --help  --version
 
 Examples:
   requad-figures -o pictures
   requad-figures --figure 11 --side 8 --format svg
+  requad-figures --explorer --sides 6,6,6,6,6,6 --pair 5-5 -o explorer.html
   requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png
 )";
 
@@ -50,9 +55,13 @@ std::vector<std::string> choose(const program::Options& options, const char* nam
 }
 
 int main_body(int argc, char** argv) {
-  const program::Options options(argc, argv, {{}, {"side", "pair-region", "output,o"}, {"figure", "format"}});
+  const program::Options options(argc, argv, {{"explorer"}, {"side", "pair-region", "output,o", "sides", "pair"}, {"figure", "format"}});
   if (program::answered(options, "requad-figures", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
+  if (options.has("explorer")) return figures::explorer_command(options);
+  for (const char* name : {"sides", "pair"}) {
+    if (options.has(name)) throw UsageError(std::string("--") + name + " is of use with --explorer only");
+  }
   const auto numbers = choose(options, "figure", {"10", "11", "12"}, {"10", "11", "12"});
   const auto formats = choose(options, "format", {"dot", "svg"}, {"dot", "svg", "pdf", "png"});
   const auto side = [&options](int fallback) { return static_cast<int>(options.integer("side", fallback, 3, 40)); };
