@@ -1,13 +1,13 @@
 // The explorer: one HTML file in which a region's configurations, their meshes and their moves can be walked through.
 //
-// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake); its
-// data are the meshes that an exploration by pair moves found, and the very operations by which the moves were made. The
-// page applies these operations to the mesh that it shows, and then checks that the result is isomorphic rel boundary to
-// the mesh that was found: what it plays is what happened.
+// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake);
+// its data are the meshes that an exploration by pair moves found, and the very operations by which the moves were
+// made. The page applies these operations to the mesh that it shows, and then checks that the result is isomorphic rel
+// boundary to the mesh that was found: what it plays is what happened.
 //
 // Terms
-//   spot       a place of a configuration in the drawing of the graph: one, or two in a digon, whose (x,0) and (0,x) are
-//              one configuration and lie at both ends of a level (Figure 10).
+//   spot       a place of a configuration in the drawing of the graph: one, or two in a digon, whose (x,0) and (0,x)
+//              are one configuration and lie at both ends of a level (Figure 10).
 //   key        the arrow key that makes a move. For equal valences up is (+1,+1), down (-1,-1), left (-1,+1), right
 //              (+1,-1), as the grid of Figure 10 lies; a segment has two moves (+1,+1), of which that of its second
 //              labelling takes the key down, which has no other use there. For a 3-5 pair they are the steps of (m,n).
@@ -17,12 +17,13 @@
 //
 // The JSON of explorer_data(), ids being those of the mesh:
 //   pair, sides, regular, grid ("flat" or "cube")
-//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]; vertices [[x,y]...]
-//           and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1 starts; irregular;
-//           alpha (the faces of R_alpha) and rim (the vertices round it); outward, the paths of the outward
-//           separatrices by side, whose lengths are the strip counts e_i
-//   moves   from, to, spots (at either end), key, change, step, made, deleted; arrows [[v,w],[v,w]] of Figure 9, from each
-//           irregular vertex towards vertex w; operations {kind, patch, and the vertices that say what it did}
+//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]; the mesh:
+//           vertices [[x,y]...] and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1
+//           starts; irregular; alpha (the faces of R_alpha) and rim (the vertices round it); outward, the paths of the
+//           outward separatrices by side, whose lengths are the strip counts e_i
+//   moves   from, to, spots and names (at either end), key, change, step, made, deleted; the arrows [[v,w],[v,w]] of
+//           Figure 9, from each irregular vertex towards vertex w; operations {kind, patch, and the vertices that say
+//           what it did}
 //   claims  id, where, statement, predicted, found, holds
 // Same region, same bytes.
 #pragma once

@@ -74,8 +74,10 @@ RegionClaim count_claim(const Exploration& found, const IntegerVector& sides) {
     claim.holds = claim.holds && number == tau(sides(0));
   } else {
     const Integer length = theory::smallest_regular(type, sides);
-    claim.statement = "A " + shape + " that is not regular has at most tau(L) configurations, L being the side of the smallest regular " +
-                      shape + " that holds it.";
+    claim.statement =
+        "A " + shape +
+        " that is not regular has at most tau(L) configurations, L being the side of the smallest regular " + shape +
+        " that holds it.";
     claim.predicted = "exactly " + text(exact) + ", at most tau(" + text(length) + ") = " + text(tau(length));
     claim.holds = claim.holds && number <= tau(length);
   }
@@ -86,18 +88,23 @@ RegionClaim set_claim(const Exploration& found, const IntegerVector& sides) {
   std::vector<Configuration> pairs = pairs_of(found);
   const std::vector<Configuration> predicted = theory::parameter_set(found.type, sides);
   std::sort(pairs.begin(), pairs.end());
-  const auto common = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [&predicted](const Configuration& c) {
-    return std::binary_search(predicted.begin(), predicted.end(), c);
-  }));
-  return {"T11", "Theorem 7.11",
-          "Where the separatrices meet the sides determines the configuration: the positive solutions of the side-length "
-          "equations are the configurations, and no two of these are alike.",
-          counted(predicted.size(), "solution"),
-          counted(common, "solution") + " read off " + std::to_string(pairs.size()) + " meshes", pairs == predicted};
+  const auto common =
+      static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [&predicted](const Configuration& c) {
+        return std::binary_search(predicted.begin(), predicted.end(), c);
+      }));
+  return {
+      "T11",
+      "Theorem 7.11",
+      "Where the separatrices meet the sides determines the configuration: the positive solutions of the side-length "
+      "equations are the configurations, and no two of these are alike.",
+      counted(predicted.size(), "solution"),
+      counted(common, "solution") + " read off " + std::to_string(pairs.size()) + " meshes",
+      pairs == predicted};
 }
 
 // The edges of a graph by the labels of their ends.
-std::multiset<std::pair<std::string, std::string>> labelled_edges(PairType type, const theory::ConfigurationGraph& graph) {
+std::multiset<std::pair<std::string, std::string>> labelled_edges(PairType type,
+                                                                  const theory::ConfigurationGraph& graph) {
   std::multiset<std::pair<std::string, std::string>> result;
   for (const auto e : boost::make_iterator_range(edges(graph))) {
     std::string a = theory::label(type, graph[source(e, graph)].configuration);
@@ -108,23 +115,32 @@ std::multiset<std::pair<std::string, std::string>> labelled_edges(PairType type,
 }
 
 RegionClaim graph_claim(const Exploration& found, const IntegerVector& sides) {
-  const auto predicted = labelled_edges(
-      found.type, theory::configuration_graph(theory::configuration_map(found.type, sides, Apex::with)));
+  const auto predicted =
+      labelled_edges(found.type, theory::configuration_graph(theory::configuration_map(found.type, sides, Apex::with)));
   const auto made = labelled_edges(found.type, enumerate::found_graph(found, Apex::with));
   std::vector<std::pair<std::string, std::string>> common;
   std::set_intersection(made.begin(), made.end(), predicted.begin(), predicted.end(), std::back_inserter(common));
-  const char* where = found.type == theory::kQuad ? "Figure 12" : found.type == theory::kDigon ? "Figure 10" : "Figure 11";
-  return {found.type == theory::kQuad ? "T4" : found.type == theory::kDigon ? "T2" : "T3", where,
-          "The configurations and the moves between them form the grid of the figure.", counted(predicted.size(), "edge"),
-          std::to_string(common.size()) + " of them among " + counted(made.size(), "edge"), made == predicted};
+  const char* where = found.type == theory::kQuad    ? "Figure 12"
+                      : found.type == theory::kDigon ? "Figure 10"
+                                                     : "Figure 11";
+  return {found.type == theory::kQuad ? "T4" : found.type == theory::kDigon ? "T2" : "T3",
+          where,
+          "The configurations and the moves between them form the grid of the figure.",
+          counted(predicted.size(), "edge"),
+          std::to_string(common.size()) + " of them among " + counted(made.size(), "edge"),
+          made == predicted};
 }
 
 RegionClaim connected_claim(const Exploration& found) {
   const theory::ConfigurationGraph graph = enumerate::found_graph(found, Apex::without);
   std::vector<int> component(num_vertices(graph));
   const int components = component.empty() ? 0 : boost::connected_components(graph, component.data());
-  return {"M1", "section 1", "The moves perform all possible edits of the pair: each configuration can be reached from each other one.",
-          "1 component", counted(static_cast<std::size_t>(components), "component"), components == 1};
+  return {"M1",
+          "section 1",
+          "The moves perform all possible edits of the pair: each configuration can be reached from each other one.",
+          "1 component",
+          counted(static_cast<std::size_t>(components), "component"),
+          components == 1};
 }
 
 // P1, P2: what a move does to (d1,d2).
@@ -141,10 +157,15 @@ RegionClaim distance_claim(const Exploration& found) {
   }
   const bool holds = made == as_claimed;
   if (found.type.symmetric()) {
-    return {"P2", "section 6", "A move of a " + found.type.name() + " pair changes (d1,d2) by (+1,+1), (+1,-1), (-1,+1) or (-1,-1).",
-            counted(made, "move"), counted(as_claimed, "move"), holds};
+    return {"P2",
+            "section 6",
+            "A move of a " + found.type.name() + " pair changes (d1,d2) by (+1,+1), (+1,-1), (-1,+1) or (-1,-1).",
+            counted(made, "move"),
+            counted(as_claimed, "move"),
+            holds};
   }
-  return {"P1", "section 6", "A move of a 3-5 pair keeps (d1,d2).", counted(made, "move"), counted(as_claimed, "move"), holds};
+  return {"P1", "section 6", "A move of a 3-5 pair keeps (d1,d2).", counted(made, "move"), counted(as_claimed, "move"),
+          holds};
 }
 
 // P3: quads made less quads deleted, by the formula of section 6, and that a mesh has as many quads as the strips say.
@@ -163,8 +184,12 @@ RegionClaim faces_claim(const Exploration& found) {
                         from.region.mesh.face_count() == quads(from.reading.configuration);
     if (meshes && move.faces_made - move.faces_deleted == predicted) ++as_claimed;
   }
-  return {"P3", "section 6", "The length of the path between the pair determines how many quads a move creates or deletes.",
-          counted(moves, "move"), counted(as_claimed, "move"), moves == as_claimed};
+  return {"P3",
+          "section 6",
+          "The length of the path between the pair determines how many quads a move creates or deletes.",
+          counted(moves, "move"),
+          counted(as_claimed, "move"),
+          moves == as_claimed};
 }
 
 RegionClaim inverse_claim(const Exploration& found) {
@@ -175,8 +200,12 @@ RegionClaim inverse_claim(const Exploration& found) {
     ++moves;
     if (move.restored && move.inverse_returns) ++as_claimed;
   }
-  return {"B3", "section 4", "The basic operations have inverses: each move can be taken back, and the move the other way undoes it.",
-          counted(moves, "move"), counted(as_claimed, "move"), moves == as_claimed};
+  return {"B3",
+          "section 4",
+          "The basic operations have inverses: each move can be taken back, and the move the other way undoes it.",
+          counted(moves, "move"),
+          counted(as_claimed, "move"),
+          moves == as_claimed};
 }
 
 // N2: one parity of d1 + d2, and a merged vertex where it is even and there is room.
@@ -195,8 +224,12 @@ RegionClaim parity_claim(const Exploration& found, const IntegerVector& sides) {
     return "d1 + d2 " + parity + ", " + (number == 0 ? "no " + vertex : "a " + vertex);
   };
   const std::string seen = parities.size() > 1 ? "of both parities" : *parities.begin() == 0 ? "even" : "odd";
-  return {"N2", "sections 1, 8", "The pair merges into one " + vertex + " only if its distance d1 + d2 is even, and the moves never change the parity.",
-          outcome(even ? "even" : "odd", merged), outcome(seen, reached),
+  return {"N2",
+          "sections 1, 8",
+          "The pair merges into one " + vertex +
+              " only if its distance d1 + d2 is even, and the moves never change the parity.",
+          outcome(even ? "even" : "odd", merged),
+          outcome(seen, reached),
           parities == std::set<Integer>{even ? 0 : 1} && merged == reached && (even || merged == 0)};
 }
 
@@ -210,8 +243,12 @@ RegionClaim rectangle_claim(const Exploration& found) {
     const auto faces = mesh::region_between(node.region.mesh, node.reading.frames.front().frame);
     if (faces && static_cast<Integer>(faces->size()) == c.d1() * c.d2()) ++grids;
   }
-  return {"L8", "Lemma 7.8", "The smallest region between the two vertices, R_alpha, is a d1 x d2 grid, or a segment.",
-          counted(pairs, "grid"), counted(grids, "grid"), pairs == grids};
+  return {"L8",
+          "Lemma 7.8",
+          "The smallest region between the two vertices, R_alpha, is a d1 x d2 grid, or a segment.",
+          counted(pairs, "grid"),
+          counted(grids, "grid"),
+          pairs == grids};
 }
 
 RegionClaim sides_claim(const Exploration& found, const IntegerVector& sides) {
@@ -224,9 +261,13 @@ RegionClaim sides_claim(const Exploration& found, const IntegerVector& sides) {
   }
   const int k = found.type.side_count();
   const bool holds = kept && curvature == std::set<int>{4 - k};
-  return {"L9", "Lemma 7.9", "The region has 4 - G sides, G being the sum of 4 - valence over the vertices inside; no move touches the boundary.",
+  return {"L9",
+          "Lemma 7.9",
+          "The region has 4 - G sides, G being the sum of 4 - valence over the vertices inside; no move touches the "
+          "boundary.",
           "G = " + std::to_string(4 - k) + ", sides " + text(sides),
-          holds ? "the same in all meshes" : "something else", holds};
+          holds ? "the same in all meshes" : "something else",
+          holds};
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ int explorer_command(const program::Options& options) {
   const auto type = theory::pair_type(options.text("pair"));
   if (!type) throw UsageError("--pair: '" + options.text("pair") + "' is not one of 3-3, 5-5, 3-5");
   const theory::IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
-  if (const std::string problem = explorer_problem(*type, sides); !problem.empty()) throw UsageError("--sides: " + problem);
+  if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
+    throw UsageError("--sides: " + problem);
   options.one_on_stdout({"json", "output"});
 
   const std::string path = options.text("output", "explorer.html");
@@ -26,13 +27,19 @@ int explorer_command(const program::Options& options) {
   program::write_text(path, page);
 
   const auto& claims = data["claims"];
-  const auto held = std::count_if(claims.begin(), claims.end(), [](const auto& claim) { return claim["holds"].template get<bool>(); });
-  const nlohmann::ordered_json summary{{"file", path}, {"bytes", page.size()}, {"configurations", data["nodes"].size()},
-                                       {"moves", data["moves"].size()}, {"claims", claims}};
+  const auto held = std::count_if(claims.begin(), claims.end(),
+                                  [](const auto& claim) { return claim["holds"].template get<bool>(); });
+  const nlohmann::ordered_json summary{{"file", path},
+                                       {"bytes", page.size()},
+                                       {"configurations", data["nodes"].size()},
+                                       {"moves", data["moves"].size()},
+                                       {"claims", claims}};
   if (options.has("json")) program::write_text(options.text("json"), summary.dump() + "\n");
   if (!options.quiet() && !options.on_stdout("json") && path != "-") {
-    std::cout << path << ": " << data["nodes"].size() << " configurations, " << data["moves"].size() << " moves, " << held << " of "
-              << claims.size() << " claims hold, " << (page.size() + 1023) / 1024 << " kB\n";
+    const auto nodes = data["nodes"].size();
+    std::cout << path << ": " << nodes << (nodes == 1 ? " configuration, " : " configurations, ")
+              << data["moves"].size() << " moves, " << held << " of " << claims.size() << " claims hold, "
+              << (page.size() + 1023) / 1024 << " kB\n";
   }
   return static_cast<std::size_t>(held) == claims.size() ? program::kDone : program::kCheckFailed;
 }

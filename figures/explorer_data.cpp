@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "figures/explorer.hpp"
-#include "mesh/embedding.hpp"
+#include "mesh/drawing.hpp"
 #include "mesh/separatrix.hpp"
 #include "theory/counts.hpp"
 
@@ -34,7 +34,8 @@ using theory::PairType;
 
 using Spot = std::array<Integer, 3>;
 
-// Figure 10's rotated grid; Figure 11's half cube, whose quadrant p lies between axis p and axis p - 1; Figure 12's grid.
+// Figure 10's rotated grid; Figure 11's half cube, whose quadrant p lies between axis p and axis p - 1; Figure 12's
+// grid.
 Spot spot_of(PairType type, const Configuration& labelling) {
   if (!type.symmetric()) {
     const theory::GridPoint at = theory::grid_point(type, theory::canonical(type, labelling));
@@ -95,6 +96,11 @@ Change change_of(PairType type, const FoundMove& move) {
   return {to.m - from.m, to.n - from.n};
 }
 
+// The label of the labelling in which a move is seen; of a 3-5 pair the grid has one.
+std::string name_of(PairType type, const Configuration& labelling) {
+  return theory::label(type, type.symmetric() ? labelling : theory::canonical(type, labelling));
+}
+
 const char* key_of(PairType type, const Exploration& found, const FoundMove& move) {
   const Change change = change_of(type, move);
   if (!type.symmetric()) return change.m > 0 ? "right" : change.m < 0 ? "left" : change.n > 0 ? "up" : "down";
@@ -115,7 +121,9 @@ const char* key_of(PairType type, const Exploration& found, const FoundMove& mov
 // lies between two of them. See the table of pair_moves.hpp.
 VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool other_is_alike) {
   const auto along = [&m](HalfEdgeId h) { return m.target(h); };
-  const auto between = [&m](HalfEdgeId h) { return m.target(QuadMesh::next(h)); };  // h and the next edge counter-clockwise
+  const auto between = [&m](HalfEdgeId h) {
+    return m.target(QuadMesh::next(h));
+  };  // h and the next edge counter-clockwise
   const std::vector<HalfEdgeId> out = mesh::outward(m, f);
   if (m.valence(f.v1) == 3) {
     switch (step) {
@@ -125,15 +133,21 @@ VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool othe
         return along(f.first_leg);
       case PairStep::slide_second:
         return f.degenerate() && other_is_alike ? between(f.first_leg) : along(f.second_leg);
-      case PairStep::open: return between(f.first_leg);
-      case PairStep::close: return along(out[0]);
+      case PairStep::open:
+        return between(f.first_leg);
+      case PairStep::close:
+        return along(out[0]);
     }
   }
   switch (step) {
-    case PairStep::slide_first: return along(out[0]);
-    case PairStep::slide_second: return along(out[2]);
-    case PairStep::open: return along(out[1]);
-    case PairStep::close: return f.degenerate() ? along(f.second_leg) : between(f.first_leg);
+    case PairStep::slide_first:
+      return along(out[0]);
+    case PairStep::slide_second:
+      return along(out[2]);
+    case PairStep::open:
+      return along(out[1]);
+    case PairStep::close:
+      return f.degenerate() ? along(f.second_leg) : between(f.first_leg);
   }
   return {};
 }
@@ -162,7 +176,8 @@ ordered_json corners(const QuadMesh& m, FaceId f) {
 
 ordered_json faces_json(const QuadMesh& m) {
   ordered_json json = ordered_json::array();
-  for (int i = 0; i < m.face_capacity(); ++i) json.push_back(m.is_live(FaceId(i)) ? corners(m, FaceId(i)) : ordered_json());
+  for (int i = 0; i < m.face_capacity(); ++i)
+    json.push_back(m.is_live(FaceId(i)) ? corners(m, FaceId(i)) : ordered_json());
   return json;
 }
 
@@ -277,15 +292,23 @@ ordered_json node_json(PairType type, const FoundNode& node) {
   ordered_json names = ordered_json::array();
   for (const Configuration& labelling : labellings(type, c)) names.push_back(theory::label(type, labelling));
   const theory::GridPoint at = theory::grid_point(type, c);
-  ordered_json json{{"label", theory::label(type, c)}, {"names", names}, {"d1", c.d1()}, {"d2", c.d2()},
-                    {"m", at.m}, {"n", at.n}, {"quads", m.face_count()}, {"signature", node.signature},
+  ordered_json json{{"label", theory::label(type, c)},
+                    {"names", names},
+                    {"d1", c.d1()},
+                    {"d2", c.d2()},
+                    {"m", at.m},
+                    {"n", at.n},
+                    {"quads", m.face_count()},
+                    {"signature", node.signature},
                     {"spots", spots_of(type, c)}};
-  // Coordinates in units of a thousandth of the region's radius: more can not be seen.
-  const auto position = mesh::embed(node.region);
+  // The larger side of the bounding box is 2000 long, and whole numbers are all that can be seen.
+  const auto position = mesh::draw(node.region);
+  double reach = 0;
+  for (const auto& p : position) reach = std::max(reach, p.cwiseAbs().maxCoeff());
   json["vertices"] = ordered_json::array();
   for (int i = 0; i < m.vertex_capacity(); ++i) {
     const auto& p = position[static_cast<std::size_t>(i)];
-    const auto rounded = [](double x) { return static_cast<int>(std::lround(1000 * x)); };
+    const auto rounded = [reach](double x) { return static_cast<int>(std::lround(1000 * x / reach)); };
     json["vertices"].push_back(m.is_live(VertexId(i)) ? ordered_json{rounded(p.x()), rounded(p.y())} : ordered_json());
   }
   json["faces"] = faces_json(m);
@@ -310,7 +333,8 @@ std::string explorer_problem(PairType type, const IntegerVector& sides) {
   const auto too_much = [](const std::string& what, Integer most) {
     return what + "; the explorer, to stay quick, takes at most " + std::to_string(most);
   };
-  if (sides.maxCoeff() > kLongestSide) return too_much("a side of " + std::to_string(sides.maxCoeff()) + " edges", kLongestSide);
+  if (sides.maxCoeff() > kLongestSide)
+    return too_much("a side of " + std::to_string(sides.maxCoeff()) + " edges", kLongestSide);
   const Integer count = theory::exact_count(type, sides);
   if (count == 0) return "the region has no configuration with a " + type.name() + " pair";
   if (count > kMostConfigurations) return too_much(std::to_string(count) + " configurations", kMostConfigurations);
@@ -337,21 +361,27 @@ ordered_json explorer_data(const Exploration& found, const IntegerVector& sides)
     if (move.to < 0) continue;
     const FoundNode& from = found.nodes[static_cast<std::size_t>(move.from)];
     const FoundNode& to = found.nodes[static_cast<std::size_t>(move.to)];
-    json["moves"].push_back(
-        {{"from", move.from},
-         {"to", move.to},
-         {"spots", {spot_index(type, from.reading.configuration, *move.before), spot_index(type, to.reading.configuration, *move.after)}},
-         {"key", key_of(type, found, move)},
-         {"change", text(change_of(type, move))},
-         {"step", mesh::name(move.move.step)},
-         {"made", move.faces_made},
-         {"deleted", move.faces_deleted},
-         {"arrows", arrows(from.region.mesh, move.move)},
-         {"operations", operations_json(from.region.mesh, move.script)}});
+    json["moves"].push_back({{"from", move.from},
+                             {"to", move.to},
+                             {"spots",
+                              {spot_index(type, from.reading.configuration, *move.before),
+                               spot_index(type, to.reading.configuration, *move.after)}},
+                             {"names", {name_of(type, *move.before), name_of(type, *move.after)}},
+                             {"key", key_of(type, found, move)},
+                             {"change", text(change_of(type, move))},
+                             {"step", mesh::name(move.move.step)},
+                             {"made", move.faces_made},
+                             {"deleted", move.faces_deleted},
+                             {"arrows", arrows(from.region.mesh, move.move)},
+                             {"operations", operations_json(from.region.mesh, move.script)}});
   }
   for (const RegionClaim& claim : region_claims(found, sides)) {
-    json["claims"].push_back({{"id", claim.id}, {"where", claim.where}, {"statement", claim.statement},
-                              {"predicted", claim.predicted}, {"found", claim.found}, {"holds", claim.holds}});
+    json["claims"].push_back({{"id", claim.id},
+                              {"where", claim.where},
+                              {"statement", claim.statement},
+                              {"predicted", claim.predicted},
+                              {"found", claim.found},
+                              {"holds", claim.holds}});
   }
   return json;
 }

@@ -15,7 +15,8 @@ void fill(std::string& page, const std::string& mark, const std::string& text) {
 // JSON inside an HTML script element: no "</script" and no "<!--" may occur.
 std::string embedded(const nlohmann::ordered_json& data) {
   std::string text = data.dump();
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) text.replace(at, 1, "\\u003c");
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    text.replace(at, 1, "\\u003c");
   return text;
 }
 

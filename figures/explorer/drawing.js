@@ -10,7 +10,12 @@ function element(name, attributes = {}, text = null) {
 }
 
 const KEYS = ["up", "left", "right", "down"];
-const KEY_SIGNS = {up: "↑", left: "←", right: "→", down: "↓"};
+const KEY_SIGNS = {
+  up: "↑",
+  left: "←",
+  right: "→",
+  down: "↓"
+};
 
 const point = ([x, y]) => `${x.toFixed(1)} ${(-y).toFixed(1)}`;  // y upwards in the data, downwards in SVG
 const openPath = (points) => points.length ? "M" + points.map(point).join("L") : "";
@@ -43,7 +48,8 @@ class MeshView {
     this.onArrow = onArrow;
     this.onPoint = onPoint;
     const layer = (name) => svg.appendChild(element("g", {class: name}));
-    for (const name of ["alpha", "changed", "edges", "boundary", "separatrices", "rim", "sides", "arrows", "irregular"]) {
+    for (const name
+             of ["alpha", "changed", "edges", "boundary", "separatrices", "rim", "sides", "arrows", "irregular"]) {
       this[name] = layer(name);
     }
     // All configurations have the same boundary.
@@ -59,33 +65,49 @@ class MeshView {
     });
     const most = Math.max(...data.nodes.map((n) => n.quads));
     this.unit = Math.min(Math.sqrt(area / most), 260);  // about the length of an edge
-    const margin = 130;
+    const margin = 135;
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-    svg.setAttribute("viewBox", `${left - margin} ${-high - margin} ${right - left + 2 * margin} ${high - low + 2 * margin}`);
+    this.whole = [left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin];
+    this.closeUp = false;
     this.boundary.appendChild(element("path", {d: closedPath(points)}));
-    this.drawSides(loop, points);
+    this.loop = points;
+    this.node = node;
+    new ResizeObserver(() => this.fit()).observe(svg);
   }
 
-  // Side lengths E_i outside the middle of each side, corners as small triangles.
-  drawSides(loop, points) {
+  // Side lengths E_i outside the middle of each side, and the corners.
+  drawSides() {
+    const points = this.loop;
     const centre = points.reduce((sum, p) => plus(sum, p, 1 / points.length), [0, 0]);
+    const size = this.letters(14, 44, 96);
     let at = 0;
+    this.sides.replaceChildren();
     this.data.sides.forEach((side, i) => {
-      const a = points[(at + Math.floor(side / 2)) % loop.length];
-      const b = points[(at + Math.ceil(side / 2)) % loop.length];
-      const middle = between(a, b, 0.5);
-      const from = points[at % loop.length];
-      const to = points[(at + side) % loop.length];
-      let outward = [to[1] - from[1], from[0] - to[0]];
-      if (length(outward) < 1) outward = minus(middle, centre);
-      const place = plus(middle, outward, 72 / length(outward));
-      const label = element("text", {x: place[0], y: -place[1], class: "side"});
-      label.append("E");
-      label.append(element("tspan", {class: "index", dy: 10}, i + 1), element("tspan", {dy: -10}, ` = ${side}`));
-      this.sides.appendChild(label);
-      this.sides.appendChild(element("circle", {cx: from[0], cy: -from[1], r: 13, class: "corner"}));
+      const place = (number) => points[number % points.length];
+      const middle = between(place(at + Math.floor(side / 2)), place(at + Math.ceil(side / 2)), 0.5);
+      let outward = minus(place(at + side), place(at));
+      outward = length(outward) < 1 ? minus(middle, centre) : [outward[1], -outward[0]];
+      const across = outward[0] / length(outward);
+      const beside = plus(middle, outward, (0.95 - 0.4 * Math.abs(across)) * size / length(outward));
+      const anchor = across > 0.4 ? "start" : across < -0.4 ? "end" : "middle";
+      const label = this.label(beside, "E", i + 1, ` = ${side}`, size);
+      label.setAttribute("text-anchor", anchor);
+      const [x, y] = place(at);
+      this.sides.append(label, element("circle", {cx: x, cy: -y, r: 0.24 * size, class: "corner"}));
       at += side;
     });
+  }
+
+  // Letters of some size on the screen, within bounds in the mesh's own units.
+  letters(pixels, least, most) {
+    return Math.min(Math.max(pixels * this.unitsPerPixel, least), most);
+  }
+
+  label([x, y], name, index, rest, size) {
+    const text = element("text", {x, y: -y, "font-size": size});
+    text.append(
+        name, element("tspan", {class: "index", dy: 0.22 * size}, index), element("tspan", {dy: -0.22 * size}, rest));
+    return text;
   }
 
   drawFaces(faces, positions) {
@@ -105,12 +127,13 @@ class MeshView {
   }
 
   drawIrregular(vertices, positions) {
-    const radius = Math.min(Math.max(0.3 * this.unit, 17), 40);
+    const radius = this.letters(9, 0.24 * this.unit, 0.42 * this.unit);
     this.irregular.replaceChildren(...vertices.map(([v, valence]) => {
       const group = element("g", {class: `vertex v${valence}`});
       const [x, y] = positions[v];
-      group.append(element("path", {d: valenceShape(positions[v], valence, radius)}),
-                   element("text", {x, y: -y + (valence === 3 ? 0.1 : 0) * radius, "font-size": radius * 1.25}, valence));
+      group.append(
+          element("path", {d: valenceShape(positions[v], valence, radius)}),
+          element("text", {x, y: -y + (valence === 3 ? 0.1 : 0) * radius, "font-size": radius * 1.25}, valence));
       group.append(element("title", {}, `v${valence}`));
       return group;
     }));
@@ -120,8 +143,33 @@ class MeshView {
     return ids.map((id) => closedPath(faces[id].map((v) => positions[v]))).join("");
   }
 
+  setCloseUp(closeUp) {
+    this.closeUp = closeUp;
+    this.svg.classList.toggle("close-up", closeUp);
+    this.fit();
+  }
+
+  // The whole region, or the pair and what is round it.
+  fit() {
+    let box = this.whole;
+    if (this.closeUp) {
+      const points = this.node.irregular.map((v) => this.node.vertices[v]);
+      const low = [0, 1].map((i) => Math.min(...points.map((p) => p[i])));
+      const high = [0, 1].map((i) => Math.max(...points.map((p) => p[i])));
+      const side = Math.min(
+          Math.max(high[0] - low[0], high[1] - low[1]) + 5 * this.unit, Math.max(this.whole[2], this.whole[3]));
+      box = [(low[0] + high[0] - side) / 2, -(low[1] + high[1] + side) / 2, side, side];
+    }
+    this.svg.setAttribute("viewBox", box.join(" "));
+    this.unitsPerPixel = Math.max(box[2] / (this.svg.clientWidth || 500), box[3] / (this.svg.clientHeight || 500));
+    this.drawSides();
+    this.drawSeparatrices(this.node);
+  }
+
   // A configuration at rest, with what can be done next.
   show(node, moves) {
+    this.node = node;
+    this.fit();
     const positions = node.vertices;
     this.svg.classList.remove("moving");
     this.drawFaces(node.faces, positions);
@@ -129,7 +177,6 @@ class MeshView {
     const rim = node.rim.map((v) => positions[v]);
     this.rim.replaceChildren(element("path", {d: node.alpha.length ? closedPath(rim) : openPath(rim)}));
     this.changed.replaceChildren();
-    this.drawSeparatrices(node);
     const boundary = new Set(boundaryOf(node.faces, node.root));
     this.drawIrregular(irregularVertices(node.faces, boundary), positions);
     this.arrows.replaceChildren(...moves.map((move) => this.arrowPair(move, positions)));
@@ -143,33 +190,37 @@ class MeshView {
       // The label beside the middle of the last edge.
       const [p, q] = points.slice(-2);
       const along = minus(q, p);
-      const size = Math.min(Math.max(0.42 * this.unit, 30), 46);
-      const at = plus(between(p, q, 0.55), [-along[1], along[0]], 0.62 * size / (length(along) || 1));
-      const label = element("text", {x: at[0], y: -at[1], "font-size": size});
-      label.append("e", element("tspan", {class: "index", dy: 0.22 * size}, i + 1), element("tspan", {dy: -0.22 * size}, `=${path.length - 1}`));
-      this.separatrices.append(label);
+      const size = this.letters(12, 26, 74);
+      const aside = [-along[1] / (length(along) || 1), along[0] / (length(along) || 1)];
+      this.separatrices.append(this.label(
+          plus(between(p, q, 0.5), aside, (0.62 + 0.85 * Math.abs(aside[0])) * size), "e", i + 1, `=${path.length - 1}`,
+          size));
     });
   }
 
   // Figure 9: two arrows of one colour, one at each vertex, towards where the move takes it.
   arrowPair(move, positions) {
     const group = element("g", {class: `arrow ${move.key}`, "data-key": move.key});
-    const head = Math.min(Math.max(0.3 * this.unit, 20), 46);
+    const head = this.letters(12, 0.3 * this.unit, 0.5 * this.unit);
     for (const [v, w] of move.arrows) {
       const way = minus(positions[w], positions[v]);
       const reach = length(way) || 1;
       const direction = [way[0] / reach, way[1] / reach];
-      const long = Math.min(Math.max(0.84 * reach, 1.9 * head + 0.2 * this.unit), 1.15 * this.unit + head);
+      // Two arrows that point at each other leave a gap between them.
+      const facing = move.arrows.some(([other]) => other === w);
+      const long = facing ? 0.46 * reach :
+                            Math.min(Math.max(0.84 * reach, 1.9 * head + 0.2 * this.unit), 1.15 * this.unit + head);
       const tip = plus(positions[v], direction, long);
       const neck = plus(tip, direction, -head);
       const side = [-direction[1], direction[0]];
       const wings = [plus(neck, side, 0.62 * head), plus(neck, side, -0.62 * head)];
       const shaft = openPath([plus(positions[v], direction, 0.3 * this.unit), neck]);
       const tipPath = closedPath([tip, ...wings]);
-      group.append(element("path", {class: "halo", d: shaft + tipPath}), element("path", {class: "shaft", d: shaft}),
-                   element("path", {class: "head", d: tipPath}));
+      group.append(
+          element("path", {class: "halo", d: shaft + tipPath}), element("path", {class: "shaft", d: shaft}),
+          element("path", {class: "head", d: tipPath}));
       const badge = plus(neck, direction, 0.34 * head);
-      group.append(element("text", {x: badge[0], y: -badge[1], "font-size": 0.85 * head}, KEY_SIGNS[move.key]));
+      group.append(element("text", {x: badge[0], y: -badge[1], "font-size": 0.9 * head}, KEY_SIGNS[move.key]));
     }
     group.append(element("title", {}, `${move.change} to ${this.data.nodes[move.to].label}`));
     group.addEventListener("click", () => this.onArrow(move.key));
@@ -189,12 +240,15 @@ class MeshView {
       const touched = operation.patch.map(([id]) => id);
       this.changed.append(element("path", {class: "flip", d: this.facePath(faces, touched, positions)}));
     } else if (faces[operation.face]) {
-      this.changed.append(element("path", {class: operation.kind, d: this.facePath(faces, [operation.face], positions)}));
+      this.changed.append(
+          element("path", {class: operation.kind, d: this.facePath(faces, [operation.face], positions)}));
     }
   }
 }
 
 class GraphView {
+  static CUBE_UNIT = 128;
+
   // `onNode(index)` is called when a configuration is clicked. `onTurn()` after the cube was turned.
   constructor(svg, data, onNode) {
     this.svg = svg;
@@ -234,11 +288,15 @@ class GraphView {
     group.append(element("ellipse", {rx: 44, ry: 25}), element("text", {}, node.names[copy] ?? node.label));
     const names = node.names.length > 1 ? `${node.names.join(" and ")} are one configuration` : node.label;
     group.append(element("title", {}, `${names}: ${node.quads} quads`));
-    group.addEventListener("click", () => { if (!this.turned) this.onNode(index); });
+    group.addEventListener("click", () => {
+      if (!this.turned) this.onNode(index);
+    });
     this.spots.push({index, copy, at, group});
   }
 
-  spotIndex(node, copy) { return this.spots.findIndex((s) => s.index === node && s.copy === copy); }
+  spotIndex(node, copy) {
+    return this.spots.findIndex((s) => s.index === node && s.copy === copy);
+  }
 
   // Grid coordinates to the plane, and depth towards the viewer.
   project([x, y, z]) {
@@ -252,7 +310,7 @@ class GraphView {
     const s = Math.sin(this.yaw);
     const across = right * c - left * s;
     const towards = right * s + left * c;
-    const scale = 104;
+    const scale = GraphView.CUBE_UNIT;
     const cp = Math.cos(this.pitch);
     const sp = Math.sin(this.pitch);
     return [across * scale, (up * cp - towards * sp) * scale, (up * sp + towards * cp) * scale];
@@ -279,8 +337,12 @@ class GraphView {
       grip = {x: event.clientX, y: event.clientY};
       this.turn(-dx / 160, dy / 160);
     });
-    window.addEventListener("pointerup", () => { grip = null; });
-    window.addEventListener("pointercancel", () => { grip = null; });
+    window.addEventListener("pointerup", () => {
+      grip = null;
+    });
+    window.addEventListener("pointercancel", () => {
+      grip = null;
+    });
   }
 
   turn(yaw, pitch) {
@@ -291,6 +353,7 @@ class GraphView {
 
   draw() {
     const places = this.spots.map((spot) => this.project(spot.at));
+    this.fit(places);
     const line = (ends, cls) => element("path", {class: cls, d: openPath(ends.map((i) => places[i]))});
     this.layers.lines.replaceChildren(...this.lines.map((ends) => line(ends, "line")));
     const spotOf = (move, end) => this.spotIndex(end ? move.to : move.from, move.spots[end]);
@@ -299,8 +362,9 @@ class GraphView {
       const ends = [spotOf(move, 0), spotOf(move, 1)];
       const group = element("g", {class: `choice ${move.key}`, "data-key": move.key});
       const at = between(places[ends[0]], places[ends[1]], 0.52);
-      group.append(line(ends, "line"), element("circle", {cx: at[0], cy: -at[1], r: 16}),
-                   element("text", {x: at[0], y: -at[1]}, KEY_SIGNS[move.key]));
+      group.append(
+          line(ends, "line"), element("circle", {cx: at[0], cy: -at[1], r: 16 * this.boost}),
+          element("text", {x: at[0], y: -at[1]}, KEY_SIGNS[move.key]));
       return group;
     }));
     const reachable = new Set(this.choices.map((move) => move.to));
@@ -315,7 +379,6 @@ class GraphView {
       this.layers.spots.appendChild(group);
     }
     this.drawCube();
-    this.fit(places);
   }
 
   // The three faces of the half cube, and its edges.
@@ -333,16 +396,20 @@ class GraphView {
   fit(places) {
     let [left, right, low, high] = [0, 0, 0, 0];
     if (this.cube) {
-      const radius = Math.max(...this.spots.map((s) => Math.hypot(...s.at))) * 104;
-      [left, right, low, high] = [-radius, radius, -radius, radius];
+      const radius = Math.max(...this.spots.map((s) => Math.hypot(...s.at))) * GraphView.CUBE_UNIT;
+      [left, right, low, high] = [-0.8 * radius, 0.8 * radius, -0.52 * radius, 0.9 * radius];
     } else {
       const xs = places.map((p) => p[0]);
       const ys = places.map((p) => p[1]);
       [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     }
     const margin = 60;
-    this.width = Math.max(right - left + 2 * margin, 260);
+    this.width = Math.max(right - left + 2 * margin, 700);
+    // What must be read on a large graph, too.
+    this.boost = Math.min(Math.max(1, this.width / 1100), 1.7);
+    this.svg.style.setProperty("--boost", this.boost);
     const centre = (left + right) / 2;
-    this.svg.setAttribute("viewBox", `${centre - this.width / 2} ${-high - margin} ${this.width} ${high - low + 2 * margin}`);
+    this.svg.setAttribute(
+        "viewBox", `${centre - this.width / 2} ${- high - margin} ${this.width} ${high - low + 2 * margin}`);
   }
 }

@@ -1,8 +1,8 @@
 "use strict";
 // Meshes as lists of faces, and what a move does to one, operation by operation. Nothing here touches the page.
 //
-// A mesh is an array of faces [a, b, c, d], counter-clockwise vertex ids, null where a face id is free; positions are an
-// array of points [x, y] by vertex id. The data are described in figures/explorer.hpp.
+// A mesh is an array of faces [a, b, c, d], counter-clockwise vertex ids, null where a face id is free; positions are
+// an array of points [x, y] by vertex id. The data are described in figures/explorer.hpp.
 
 // The faces after a patch; the argument stays as it is.
 function patched(faces, patch) {
@@ -78,7 +78,8 @@ function boundaryOf(faces, root) {
 function irregularVertices(faces, boundary) {
   const valence = new Map();
   for (const corners of faces) {
-    if (corners) for (const v of corners) valence.set(v, (valence.get(v) ?? 0) + 1);
+    if (corners)
+      for (const v of corners) valence.set(v, (valence.get(v) ?? 0) + 1);
   }
   return [...valence].filter(([v, number]) => number !== 4 && !boundary.has(v));
 }
@@ -130,7 +131,9 @@ class MoveFilm {
   }
 
   // The mesh that the operations make, with the names of the mesh before.
-  get result() { return this.meshes.at(-1); }
+  get result() {
+    return this.meshes.at(-1);
+  }
 
   plan(from, to, image) {
     const count = this.operations.length;
@@ -153,7 +156,8 @@ class MoveFilm {
       if (k === count) return ends[count];
       const points = [];
       for (const corners of faces) {
-        if (corners) for (const v of corners) points[v] ??= between(starts[k][v], ends[k][v], k / count);
+        if (corners)
+          for (const v of corners) points[v] ??= between(starts[k][v], ends[k][v], k / count);
       }
       return evened(faces, points, this.boundary);
     });
@@ -183,19 +187,22 @@ class MoveFilm {
   }
 }
 
-// A shortest path of moves from one configuration to another, as indices of moves; null if there is none.
-function shortestPath(moves, from, to) {
+// All configurations that moves reach from one, the nearest first: node -> the move by which a shortest path arrives.
+function reached(moves, from) {
   const arrival = new Map([[from, null]]);
-  const queue = [from];
-  for (let i = 0; i < queue.length && !arrival.has(to); ++i) {
+  for (const node of arrival.keys()) {  // meets what is added on the way
     moves.forEach((move, index) => {
-      if (move.from !== queue[i] || arrival.has(move.to)) return;
-      arrival.set(move.to, index);
-      queue.push(move.to);
+      if (move.from === node && !arrival.has(move.to)) arrival.set(move.to, index);
     });
   }
+  return arrival;
+}
+
+// A shortest path from one configuration to another, as indices of moves; null if there is none.
+function shortestPath(moves, from, to) {
+  const arrival = reached(moves, from);
   if (!arrival.has(to)) return null;
   const path = [];
-  for (let node = to; arrival.get(node) !== null; node = moves[path[0]].from) path.unshift(arrival.get(node));
+  for (let node = to; node !== from; node = moves[path[0]].from) path.unshift(arrival.get(node));
   return path;
 }
