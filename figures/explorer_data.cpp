@@ -121,18 +121,17 @@ const char* key_of(PairType type, const Exploration& found, const FoundMove& mov
 // lies between two of them. See the table of pair_moves.hpp.
 VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool other_is_alike) {
   const auto along = [&m](HalfEdgeId h) { return m.target(h); };
-  const auto between = [&m](HalfEdgeId h) {
-    return m.target(QuadMesh::next(h));
-  };  // h and the next edge counter-clockwise
+  // Between h and the next edge counter-clockwise.
+  const auto between = [&m](HalfEdgeId h) { return m.target(QuadMesh::next(h)); };
   const std::vector<HalfEdgeId> out = mesh::outward(m, f);
   if (m.valence(f.v1) == 3) {
     switch (step) {
+      // A segment of two v3s turns: they approach each other, each on the side away from the R_alpha that opens. Beside
+      // a v5 the v3 moves away from its third edge.
       case PairStep::slide_first:
-        // A segment turns to the side on which its R_alpha opens; beside a v5 it moves away from the v3's third edge.
-        if (f.degenerate()) return other_is_alike ? between(f.first_leg) : between(out[0]);
-        return along(f.first_leg);
+        return f.degenerate() ? between(out[0]) : along(f.first_leg);
       case PairStep::slide_second:
-        return f.degenerate() && other_is_alike ? between(f.first_leg) : along(f.second_leg);
+        return f.degenerate() && other_is_alike ? between(f.second_leg) : along(f.second_leg);
       case PairStep::open:
         return between(f.first_leg);
       case PairStep::close:
