@@ -64,11 +64,9 @@ Examples:
 )";
 
 PairType parse_pair(const std::string& text) {
-  static const std::map<std::string, PairType> kPairs{
-      {"3-3", theory::kDigon}, {"5-5", theory::kHexagon}, {"3-5", theory::kQuad}, {"5-3", theory::kQuad}};
-  const auto it = kPairs.find(text);
-  if (it == kPairs.end()) throw UsageError("--pair: '" + text + "' is not one of 3-3, 5-5, 3-5");
-  return it->second;
+  const auto type = theory::pair_type(text);
+  if (!type) throw UsageError("--pair: '" + text + "' is not one of 3-3, 5-5, 3-5");
+  return *type;
 }
 
 PairType parse_shape(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/catalogue.hpp"
+#include "figures/explorer_command.hpp"
 #include "figures/graph_files.hpp"
 #include "mesh/options.hpp"
 
@@ -18,6 +19,7 @@ using program::UsageError;
 constexpr const char* kHelp = R"(requad-figures: the paper's figures, and some more, from computed meshes
 
   requad-figures [--figure ID]... [--format svg|pdf|png|dot|graphml]... [-o DIR]
+  requad-figures --explorer --sides S1,S2,... --pair 3-3|5-5|3-5 [-o FILE.html]
 
   --figure ID         which figure; may be repeated (default: all)
       2 3 4 5 6 7 8   operations before and after
@@ -37,12 +39,15 @@ constexpr const char* kHelp = R"(requad-figures: the paper's figures, and some m
                       May be repeated (default: svg, and dot for grids)
   --page              also write DIR/README.md, a page with all figures, their captions and commands
   -o DIR              folder for the files (default .)
+  --explorer          one HTML file in which the configurations of a region and their moves can be walked through, with
+                      no server and no network (default explorer.html); at most 150 configurations
   --json FILE|-       what was written
   --quiet  --help  --version
 
 Examples:
   requad-figures -o pictures
   requad-figures --figure 11 --side 8 --format svg
+  requad-figures --explorer --sides 6,6,6,6,6,6 --pair 5-5 -o explorer.html
   requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png
   requad-figures --figure hexagon --sides 3,4,5,4,3,5 --format pdf
 )";
@@ -61,10 +66,12 @@ std::vector<std::string> choose(const program::Options& options, const char* nam
 }
 
 int main_body(int argc, char** argv) {
-  const program::Options options(argc, argv,
-                                 {{"page"}, {"side", "sides", "pair-region", "output,o"}, {"figure", "format"}});
+  const program::Options options(
+      argc, argv, {{"page", "explorer"}, {"side", "sides", "pair", "pair-region", "output,o"}, {"figure", "format"}});
   if (program::answered(options, "requad-figures", REQUAD_VERSION, kHelp)) return program::kDone;
   if (!options.words().empty()) throw UsageError("unexpected argument '" + options.words().front() + "'; see --help");
+  if (options.has("explorer")) return figures::explorer_command(options);
+  if (options.has("pair")) throw UsageError("--pair is of use with --explorer only");
   std::vector<std::string> ids;
   for (const figures::CatalogueEntry& entry : figures::catalogue()) ids.emplace_back(entry.id);
   const auto chosen = choose(options, "figure", ids, ids);

@@ -9,6 +9,13 @@ namespace requad::theory {
 
 std::string PairType::name() const { return std::to_string(l2) + "-" + std::to_string(l1); }
 
+std::optional<PairType> pair_type(std::string_view name) {
+  for (const PairType type : {kDigon, kHexagon, kQuad}) {
+    if (name == type.name()) return type;
+  }
+  return name == "5-3" ? std::optional(kQuad) : std::nullopt;
+}
+
 PairSystem::PairSystem(PairType type) : type_(type) {
   assert(type.l1 >= type.l2 && type.l2 >= 3);
   const int k = type.side_count();

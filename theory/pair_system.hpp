@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -59,6 +60,8 @@ struct PairType {
 inline constexpr PairType kDigon{3, 3};
 inline constexpr PairType kHexagon{5, 5};
 inline constexpr PairType kQuad{5, 3};
+// The one of these three with this name, "5-3" included.
+std::optional<PairType> pair_type(std::string_view name);
 
 // (d1, d2, e_1..e_k): the separatrix-strip parameters.
 struct StripParameters {

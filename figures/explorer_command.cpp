@@ -1,0 +1,47 @@
+#include "figures/explorer_command.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "figures/explorer.hpp"
+
+namespace requad::figures {
+
+using program::UsageError;
+
+int explorer_command(const program::Options& options) {
+  options.allow_only("--explorer", {"explorer", "sides", "pair", "output"});
+  if (!options.has("pair")) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
+  if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 6,6");
+  const auto type = theory::pair_type(options.text("pair"));
+  if (!type) throw UsageError("--pair: '" + options.text("pair") + "' is not one of 3-3, 5-5, 3-5");
+  const theory::IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
+  if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
+    throw UsageError("--sides: " + problem);
+  options.one_on_stdout({"json", "output"});
+
+  const std::string path = options.text("output", "explorer.html");
+  const enumerate::Exploration found = enumerate::explore_all(*type, sides, theory::Apex::with);
+  const nlohmann::ordered_json data = explorer_data(found, sides);
+  const std::string page = explorer_page(data);
+  program::write_text(path, page);
+
+  const auto& claims = data["claims"];
+  const auto held = std::count_if(claims.begin(), claims.end(),
+                                  [](const auto& claim) { return claim["holds"].template get<bool>(); });
+  const nlohmann::ordered_json summary{{"file", path},
+                                       {"bytes", page.size()},
+                                       {"configurations", data["nodes"].size()},
+                                       {"moves", data["moves"].size()},
+                                       {"claims", claims}};
+  if (options.has("json")) program::write_text(options.text("json"), summary.dump() + "\n");
+  if (!options.quiet() && !options.on_stdout("json") && path != "-") {
+    const auto nodes = data["nodes"].size();
+    std::cout << path << ": " << nodes << (nodes == 1 ? " configuration, " : " configurations, ")
+              << data["moves"].size() << " moves, " << held << " of " << claims.size() << " claims hold, "
+              << (page.size() + 1023) / 1024 << " kB\n";
+  }
+  return static_cast<std::size_t>(held) == claims.size() ? program::kDone : program::kCheckFailed;
+}
+
+}  // namespace requad::figures
