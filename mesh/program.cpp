@@ -1,8 +1,11 @@
 #include "mesh/program.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +13,7 @@
 #include <iostream>
 #include <new>
 
+#include <limits.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,7 +21,57 @@
 
 namespace requad::program {
 
+namespace {
+
+// The file that write_text() is filling, so that a signal that ends the program takes it away.
+std::array<char, PATH_MAX + 1> unfinished_file{};
+volatile std::sig_atomic_t is_unfinished = 0;
+
+// Only what POSIX allows in a handler: unlink, signal, raise.
+void remove_unfinished_and_end(int signal) {
+  if (is_unfinished) unlink(unfinished_file.data());
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+// A file beside its target, removed unless it is kept.
+class UnfinishedFile {
+ public:
+  // `path` ends in XXXXXX. Leaves errno and path() empty if no file can be made.
+  explicit UnfinishedFile(std::string path) : path_(std::move(path)) {
+    const int descriptor = path_.size() <= PATH_MAX ? mkstemp(path_.data()) : (errno = ENAMETOOLONG, -1);
+    if (descriptor < 0) {
+      path_.clear();
+      return;
+    }
+    close(descriptor);
+    std::copy_n(path_.c_str(), path_.size() + 1, unfinished_file.begin());
+    is_unfinished = 1;
+  }
+  ~UnfinishedFile() {
+    if (path_.empty()) return;
+    is_unfinished = 0;
+    if (!kept_) unlink(path_.c_str());
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+  const std::string& path() const { return path_; }
+  void keep() { kept_ = true; }
+
+ private:
+  std::string path_;
+  bool kept_ = false;
+};
+
+}  // namespace
+
 int run(std::string_view name, const std::function<int()>& body) {
+  // A file that grows beyond its limit is an error to report, like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // One that is ignored, as in the background of a shell, stays so.
+    if (std::signal(signal, remove_unfinished_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   const auto say = [name](const char* what) { std::cerr << name << ": " << what << '\n'; };
   try {
     const int code = body();
@@ -84,7 +138,8 @@ Range parse_range(std::string_view text, std::string_view what) {
   }
   const Range range{parse_integer(text.substr(0, dots), what), parse_integer(text.substr(dots + 2), what)};
   if (range.first > range.last) {
-    throw UsageError(std::string(what) + ": " + std::string(text) + " is empty; expected FIRST..LAST with FIRST <= LAST");
+    throw UsageError(std::string(what) + ": " + std::string(text) +
+                     " is empty; expected FIRST..LAST with FIRST <= LAST");
   }
   return range;
 }
@@ -112,34 +167,28 @@ void write_text(const std::string& path, std::string_view text) {
     if (!out) fail(fs::is_directory(status) ? "it is a folder" : "output error");
     return;
   }
-  std::string temporary = target.string() + ".XXXXXX";
-  const int descriptor = mkstemp(temporary.data());
-  if (descriptor < 0) fail(std::strerror(errno));
-  close(descriptor);
-  std::ofstream out(temporary, std::ios::binary);
+  UnfinishedFile temporary(target.string() + ".XXXXXX");
+  if (temporary.path().empty()) fail(std::strerror(errno));
+  std::ofstream out(temporary.path(), std::ios::binary);
   out << text;
   out.close();
-  if (!out) {
-    const std::string why = std::strerror(errno);
-    fs::remove(temporary, error);
-    fail(why);
-  }
+  if (!out) fail(std::strerror(errno));
   // As an ordinary new file would be, or as the file that is replaced was.
   const mode_t mask = umask(0);
   umask(mask);
   const auto usual = static_cast<fs::perms>(0666 & ~mask);
-  fs::permissions(temporary, fs::exists(status) ? status.permissions() : usual, error);
-  fs::rename(temporary, target, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(temporary, error);
-    fail(why);
-  }
+  fs::permissions(temporary.path(), fs::exists(status) ? status.permissions() : usual, error);
+  fs::rename(temporary.path(), target, error);
+  if (error) fail(error.message());
+  temporary.keep();
 }
 
 Progress::Progress(std::string what, std::int64_t total, bool quiet)
-    : what_(std::move(what)), total_(total), shown_(!quiet && isatty(STDERR_FILENO) == 1),
-      start_(std::chrono::steady_clock::now()), last_(start_) {}
+    : what_(std::move(what)),
+      total_(total),
+      shown_(!quiet && isatty(STDERR_FILENO) == 1),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() { finish(); }
 

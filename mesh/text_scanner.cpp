@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include "mesh/program.hpp"
 #include "mesh/quad_mesh.hpp"
@@ -119,17 +120,25 @@ std::string read_text(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) fail(std::strerror(errno));
-  // In pieces: a pipe does not know its size.
+  // In pieces: a pipe does not know its size, and may have no end.
   std::string text;
+  constexpr std::size_t kLargestText = std::size_t{1} << 31;  // over thirty million quads
   constexpr std::size_t kPiece = std::size_t{1} << 20;
   std::size_t size = 0;
-  do {
-    text.resize(std::max(size + kPiece, size + size / 2));
-    in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
-    size += static_cast<std::size_t>(in.gcount());
-  } while (in);
-  if (in.bad()) fail("input error");
-  text.resize(size);
+  try {
+    do {
+      text.resize(std::max(size + kPiece, size + size / 2));
+      in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
+      const std::size_t end = size + static_cast<std::size_t>(in.gcount());
+      if (std::memchr(text.data() + size, 0, end - size)) fail("it is no text: a zero byte is in it");
+      if (end > kLargestText) fail("it is larger than 2 GiB");
+      size = end;
+    } while (in);
+    if (in.bad()) fail("input error");
+    text.resize(size);
+  } catch (const std::bad_alloc&) {
+    fail("it does not fit into memory");
+  }
   return text;
 }
 

@@ -48,7 +48,7 @@ class TextScanner {
   int line_ = 1;
 };
 
-// A whole file. Throws program::UsageError with a one-line reason.
+// A whole file of text: at most 2 GiB, no zero byte. Throws program::UsageError with a one-line reason, early on pipes.
 std::string read_text(const std::string& path);
 
 }  // namespace requad::mesh
