@@ -1,0 +1,59 @@
+// Loading and writing, and what lies between: an OBJ of a torus read, made a mesh of, validated, and written.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "bench/file_bench.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/polygon_file.hpp"
+#include "mesh/validate.hpp"
+
+namespace requad::bench {
+namespace {
+
+// How long does it take to read an OBJ of n x n quads, to make a mesh of it that was checked, and to write it again?
+void obj_read_and_write(benchmark::State& state) {
+  const ObjFile file(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const mesh::Surface surface = mesh::read_surface(file.path(), false);
+    mesh::save_obj(file.copy(), surface.mesh, surface.positions);
+  }
+  file.require_same_copy(state);
+  state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(0));
+}
+BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);
+
+// What part of it is the text?
+void obj_read(benchmark::State& state) {
+  const ObjFile file(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::read_polygon_mesh(file.path()));
+}
+BENCHMARK(obj_read)->Apply(sides);
+
+// And the mesh?
+void obj_to_mesh(benchmark::State& state) {
+  const ObjFile file(static_cast<int>(state.range(0)));
+  const mesh::PolygonMesh polygons = mesh::read_polygon_mesh(file.path());
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::to_quad_mesh(polygons));
+}
+BENCHMARK(obj_to_mesh)->Apply(sides);
+
+// And writing?
+void obj_write(benchmark::State& state) {
+  const ObjFile file(static_cast<int>(state.range(0)));
+  const mesh::Surface surface = mesh::read_surface(file.path(), false);
+  for (auto _ : state) mesh::save_obj(file.copy(), surface.mesh, surface.positions);
+}
+BENCHMARK(obj_write)->Apply(sides);
+
+// How long does it take the validator to look for every defect once more?
+void validate_mesh(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const mesh::QuadMesh m = mesh::QuadMesh::from_faces(n * n, torus_faces(n));
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::validate(m));
+}
+BENCHMARK(validate_mesh)->Apply(sides);
+
+}  // namespace
+}  // namespace requad::bench
