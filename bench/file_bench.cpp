@@ -1,8 +1,5 @@
 // Loading and writing, and what lies between: an OBJ of a torus read, made a mesh of, validated, and written.
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "bench/file_bench.hpp"
 #include "mesh/obj.hpp"

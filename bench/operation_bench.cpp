@@ -5,6 +5,61 @@
 namespace requad::bench {
 namespace {
 
+void two_sizes(benchmark::internal::Benchmark* b) { b->ArgName("side")->Arg(128)->Arg(1024)->Unit(benchmark::kMicrosecond); }
+
+// How long does it take to pair the edges of a torus of n x n quads, without a test whether it is a mesh?
+void build_kernel(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const FaceList faces = torus_faces(n);
+  for (auto _ : state) {
+    Kernel kernel;
+    kernel.build(n * n, faces);
+    benchmark::DoNotOptimize(kernel.twin(0));
+  }
+}
+BENCHMARK(build_kernel)->Name("build/kernel")->Apply(two_sizes);
+
+// And with every test, and a half-edge for each vertex?
+void build_requad(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const FaceList faces = torus_faces(n);
+  for (auto _ : state) benchmark::DoNotOptimize(mesh::QuadMesh::from_faces(n * n, faces));
+}
+BENCHMARK(build_requad)->Name("build/requad")->Apply(two_sizes);
+
+// How long does it take to visit the neighbours of every vertex?
+void one_rings_kernel(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  KernelSubject subject(n);
+  Kernel& kernel = subject.kernel;
+  for (auto _ : state) {
+    std::int64_t sum = 0;
+    for (int v = 0; v < n * n; ++v) {
+      const int first = kernel.out(v);
+      int h = first;
+      do {
+        sum += kernel.origin(Kernel::next(h));
+        h = kernel.twin(Kernel::previous(h));
+      } while (h != first);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(one_rings_kernel)->Name("one_rings/kernel")->Apply(two_sizes);
+
+// And with a test for the boundary at each step?
+void one_rings_requad(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const mesh::QuadMesh m = mesh::QuadMesh::from_faces(n * n, torus_faces(n));
+  for (auto _ : state) {
+    std::int64_t sum = 0;
+    for (int v = 0; v < n * n; ++v)
+      m.for_each_out(mesh::VertexId(v), [&](mesh::HalfEdgeId h) { sum += m.target(h).index(); });
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(one_rings_requad)->Name("one_rings/requad")->Apply(two_sizes);
+
 const int registered = [] {
   register_operations<KernelSubject>();
   register_operations<RequadSubject<false>>();
