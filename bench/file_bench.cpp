@@ -1,7 +1,7 @@
 // Loading and writing, and what lies between: an OBJ of a torus read, made a mesh of, validated, and written.
 
-
 #include "bench/file_bench.hpp"
+
 #include "mesh/obj.hpp"
 #include "mesh/polygon_file.hpp"
 #include "mesh/validate.hpp"

@@ -16,7 +16,9 @@
 namespace requad::bench {
 
 // 100^2 and 1000^2 quads.
-inline void sides(benchmark::internal::Benchmark* b) { b->ArgName("side")->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond); }
+inline void sides(benchmark::internal::Benchmark* b) {
+  b->ArgName("side")->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+}
 
 // A torus of n x n quads in the folder for temporary files, and a place for a copy; both go with this object.
 class ObjFile {

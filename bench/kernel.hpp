@@ -2,8 +2,8 @@
 //
 // It does what a basic operation can not do without, and no more. There are no handles, no boundary, no half-edge for
 // each vertex, no free lists (who calls keeps the ids of what was removed), and no test whether an operation is legal.
-// Nobody should edit meshes with it: it is the limit for the data structure. A flip takes the neighbouring slot, so that
-// two outer twins change and not six.
+// Nobody should edit meshes with it: it is the limit for the data structure. A flip takes the neighbouring slot, so
+// that two outer twins change and not six.
 #pragma once
 
 #include <array>

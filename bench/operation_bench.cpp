@@ -5,7 +5,9 @@
 namespace requad::bench {
 namespace {
 
-void two_sizes(benchmark::internal::Benchmark* b) { b->ArgName("side")->Arg(128)->Arg(1024)->Unit(benchmark::kMicrosecond); }
+void two_sizes(benchmark::internal::Benchmark* b) {
+  b->ArgName("side")->Arg(128)->Arg(1024)->Unit(benchmark::kMicrosecond);
+}
 
 // How long does it take to pair the edges of a torus of n x n quads, without a test whether it is a mesh?
 void build_kernel(benchmark::State& state) {

@@ -1,8 +1,8 @@
 // The same operations and the same file through CGAL and OpenMesh (-DREQUAD_BENCH_PEERS=ON).
 //
-// "euler", "edges" are what the libraries offer for it: CGAL's Euler::join_face and split_face, OpenMesh's remove_edge and
-// insert_edge. "setters" change next, face, target and the half-edges of vertices and faces one by one, as one has to
-// where no such operation fits. None of them tests whether the result is a simple mesh.
+// "euler", "edges" are what the libraries offer for it: CGAL's Euler::join_face and split_face, OpenMesh's remove_edge
+// and insert_edge. "setters" change next, face, target and the half-edges of vertices and faces one by one, as one has
+// to where no such operation fits. None of them tests whether the result is a simple mesh.
 //
 // Debian's OpenMesh library is built with assertions; its headers are compiled here, with this program's flags.
 
@@ -212,8 +212,8 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
 };
 
-// How long does OpenMesh take to read an OBJ, which tests edges and vertices as it adds faces, and to write it again with
-// as many digits as give back the same bits?
+// How long does OpenMesh take to read an OBJ, which tests edges and vertices as it adds faces, and to write it again
+// with as many digits as give back the same bits?
 void openmesh_read_and_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   std::size_t faces = 0;

@@ -1,5 +1,5 @@
-// What is measured side by side: the bare kernel, requad, and (peer_subjects.hpp) other libraries, behind one interface,
-// with the tori they are measured on and the test that all of them make the same meshes.
+// What is measured side by side: the bare kernel, requad, and (peer_subjects.hpp) other libraries, behind one
+// interface, with the tori they are measured on and the test that all of them make the same meshes.
 //
 // A subject is built from faces, finds a half-edge by its ends, and performs at it
 //   flip, flip_back     the edge turns by one corner counter-clockwise, and back
@@ -88,7 +88,8 @@ struct KernelSubject {
   FaceList faces() {
     FaceList list;
     for (int h = 0; h < kernel.half_edges(); h += 4) {
-      if (h >> 2 != gone) list.push_back({kernel.origin(h), kernel.origin(h + 1), kernel.origin(h + 2), kernel.origin(h + 3)});
+      if (h >> 2 != gone)
+        list.push_back({kernel.origin(h), kernel.origin(h + 1), kernel.origin(h + 2), kernel.origin(h + 3)});
     }
     return list;
   }

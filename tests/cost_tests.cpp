@@ -1,7 +1,5 @@
 // What operations cost, counted and not timed: words of the mesh's arrays that change, and allocations. The bounds are
 // those that law O5 (mesh/basic_operations.hpp) and enumerate/filler.hpp state.
-#include "tests/catch.hpp"
-
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -9,6 +7,7 @@
 
 #include "enumerate/filler.hpp"
 #include "mesh/basic_operations.hpp"
+#include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 using namespace requad;
