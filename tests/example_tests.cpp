@@ -142,7 +142,8 @@ struct Bench {
     REQUIRE(courier.carry({mesh.find_half_edge(five, to), true}, std::array{three}).refusal == Refusal::none);
   }
   Surface result() {
-    const SmoothingOptions how{.project_to = &surface};
+    SmoothingOptions how;
+    how.project_to = &surface;
     Surroundings around;
     smooth_edit(editor, footprint_since(editor, around, 0, 2).near, how);
     untangle(editor, how);
