@@ -1,33 +1,15 @@
 // What operations cost, counted and not timed: words of the mesh's arrays that change, and allocations. The bounds are
 // those that law O5 (mesh/basic_operations.hpp) and enumerate/filler.hpp state.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <optional>
 
 #include "enumerate/filler.hpp"
 #include "mesh/basic_operations.hpp"
+#include "tests/allocations.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
-
-// Every allocation of the test program is counted.
-namespace {
-std::atomic<std::int64_t> allocations{0};
-void* counted(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-}  // namespace
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 
 namespace {
 
@@ -35,9 +17,9 @@ using Kind = BasicOperation::Kind;
 
 template <class Work>
 std::int64_t allocations_of(Work&& work) {
-  const std::int64_t before = allocations;
+  const std::int64_t before = tests::allocations();
   work();
-  return allocations - before;
+  return tests::allocations() - before;
 }
 
 struct Words {

@@ -1,34 +1,15 @@
 // The walk on one mesh: what it counts against formulas written out by hand and against exploration by signatures, what
 // it costs by counting, and that it fails where it should. Theory's table and vector are held against theory's map and
 // against separatrices traced on meshes.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
 #include "enumerate/walk.hpp"
 #include "mesh/pair_moves.hpp"
 #include "mesh/separatrix.hpp"
+#include "tests/allocations.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 #include "theory/separatrix_vector.hpp"
-
-// Every allocation of this program is counted, by whatever way it asks.
-namespace {
-std::atomic<std::int64_t> allocations{0};
-}  // namespace
-// The compiler takes free() for a slip where it sees the new that it belongs to.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-#pragma GCC diagnostic pop
 
 using namespace requad;
 using enumerate::WalkResult;
@@ -278,7 +259,7 @@ TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[
     INFO(c.type.name());
     std::vector<std::int64_t> counts;
     counts.reserve(1000);
-    const WalkResult w = enumerate::walk(c.type, c.e, [&](std::int64_t) { counts.push_back(allocations.load()); });
+    const WalkResult w = enumerate::walk(c.type, c.e, [&](std::int64_t) { counts.push_back(tests::allocations()); });
     REQUIRE(w.problem.empty());
     CHECK(counts.size() >= 3);
     CHECK(counts.front() == counts.back());
