@@ -1,7 +1,6 @@
 #include "mesh/program.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -11,9 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <new>
+#include <system_error>
+#include <thread>
 
-#include <limits.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,15 +24,38 @@ namespace requad::program {
 
 namespace {
 
-// The file that write_text() is filling, so that a signal that ends the program takes it away.
-std::array<char, PATH_MAX + 1> unfinished_file{};
-volatile std::sig_atomic_t is_unfinished = 0;
+// The file that write_text() is filling, so that a signal that ends the program takes it away. Made and never freed, as
+// a signal may come when the program is ending anyway.
+struct Unfinished {
+  std::mutex mutex;  // held while the file is made, renamed or removed
+  std::string path;  // "" if there is none
+};
+Unfinished& unfinished() {
+  static Unfinished* const it = new Unfinished;
+  return *it;
+}
 
-// Only what POSIX allows in a handler: unlink, signal, raise.
-void remove_unfinished_and_end(int signal) {
-  if (is_unfinished) unlink(unfinished_file.data());
-  std::signal(signal, SIG_DFL);
-  raise(signal);
+// Waits in a thread of its own for the signals that end a program, so that none comes between making a file and noting
+// that it was made. Threads that are started later inherit that the signals are blocked.
+void end_on_signals() {
+  sigset_t awaited;
+  sigemptyset(&awaited);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) sigaddset(&awaited, signal);  // one that is ignored, as in the background, stays so
+  }
+  unfinished();
+  pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
+  std::thread([awaited] {
+    int signal = 0;
+    if (sigwait(&awaited, &signal) != 0) return;
+    const std::lock_guard lock(unfinished().mutex);
+    if (!unfinished().path.empty()) unlink(unfinished().path.c_str());
+    std::signal(signal, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &awaited, nullptr);
+    raise(signal);
+  }).detach();
 }
 
 // A file beside its target, removed unless it is kept.
@@ -39,28 +63,36 @@ class UnfinishedFile {
  public:
   // `path` ends in XXXXXX. Leaves errno and path() empty if no file can be made.
   explicit UnfinishedFile(std::string path) : path_(std::move(path)) {
-    const int descriptor = path_.size() <= PATH_MAX ? mkstemp(path_.data()) : (errno = ENAMETOOLONG, -1);
+    const std::lock_guard lock(unfinished().mutex);
+    const int descriptor = mkstemp(path_.data());
     if (descriptor < 0) {
       path_.clear();
       return;
     }
     close(descriptor);
-    std::copy_n(path_.c_str(), path_.size() + 1, unfinished_file.begin());
-    is_unfinished = 1;
+    unfinished().path = path_;
   }
   ~UnfinishedFile() {
-    if (path_.empty()) return;
-    is_unfinished = 0;
-    if (!kept_) unlink(path_.c_str());
+    const std::lock_guard lock(unfinished().mutex);
+    if (!path_.empty()) unlink(path_.c_str());
+    unfinished().path.clear();
   }
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
   const std::string& path() const { return path_; }
-  void keep() { kept_ = true; }
+  // Gives the file its name.
+  std::error_code finish(const std::filesystem::path& target) {
+    const std::lock_guard lock(unfinished().mutex);
+    std::error_code error;
+    std::filesystem::rename(path_, target, error);
+    if (error) return error;
+    path_.clear();
+    unfinished().path.clear();
+    return error;
+  }
 
  private:
   std::string path_;
-  bool kept_ = false;
 };
 
 }  // namespace
@@ -68,10 +100,7 @@ class UnfinishedFile {
 int run(std::string_view name, const std::function<int()>& body) {
   // A file that grows beyond its limit is an error to report, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // One that is ignored, as in the background of a shell, stays so.
-    if (std::signal(signal, remove_unfinished_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
+  end_on_signals();
   const auto say = [name](const char* what) { std::cerr << name << ": " << what << '\n'; };
   try {
     const int code = body();
@@ -178,9 +207,7 @@ void write_text(const std::string& path, std::string_view text) {
   umask(mask);
   const auto usual = static_cast<fs::perms>(0666 & ~mask);
   fs::permissions(temporary.path(), fs::exists(status) ? status.permissions() : usual, error);
-  fs::rename(temporary.path(), target, error);
-  if (error) fail(error.message());
-  temporary.keep();
+  if (const std::error_code refused = temporary.finish(target)) fail(refused.message());
 }
 
 Progress::Progress(std::string what, std::int64_t total, bool quiet)
