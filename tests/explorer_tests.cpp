@@ -407,7 +407,8 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
   Browser browser(*program);
   browser.set_reduced_motion(true);  // the results at once
   for (const Example& e : examples()) {
-    if (e.sides.sum() > 36 || e.sides == sides({6, 5, 6, 9})) continue;  // enough of each kind
+    const bool large = e.sides.sum() > 36 || (e.sides.size() == 4 && e.sides == sides({6, 5, 6, 9}));
+    if (large) continue;  // enough of each kind without it
     const std::string page = write_page(e);
     std::map<std::string, std::string> signatures;  // glued, not moved
     for (const auto& c : theory::parameter_set(e.type, e.sides))
