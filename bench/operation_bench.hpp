@@ -18,9 +18,9 @@ void require_same_meshes_once() {
   benchmark::DoNotOptimize(same);
 }
 
-// How long does a flip and the flip back take, at random sites of a torus of n x n quads?
-template <class Subject>
-void flip_and_back(benchmark::State& state) {
+// Times there_and_back(subject, site), which gives the site as it is afterwards, at random sites of a torus.
+template <class Subject, class ThereAndBack>
+void at_random_sites(benchmark::State& state, ThereAndBack&& there_and_back) {
   require_same_meshes_once<Subject>();
   const int n = static_cast<int>(state.range(0));
   Subject subject(n);
@@ -29,25 +29,21 @@ void flip_and_back(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     auto& site = sites[i];
-    site = subject.flip_back(subject.flip(site));
+    site = there_and_back(subject, site);
     if (++i == sites.size()) i = 0;
   }
+}
+
+// How long does a flip and the flip back take, at random sites of a torus of n x n quads?
+template <class Subject>
+void flip_and_back(benchmark::State& state) {
+  at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.flip_back(subject.flip(site)); });
 }
 
 // How long does a collapse and the split that takes it back take, at random sites of a torus of n x n quads?
 template <class Subject>
 void collapse_and_split(benchmark::State& state) {
-  require_same_meshes_once<Subject>();
-  const int n = static_cast<int>(state.range(0));
-  Subject subject(n);
-  std::vector<typename Subject::Site> sites;
-  for (const auto& [a, b] : random_sites(n)) sites.push_back(subject.site(a, b));
-  std::size_t i = 0;
-  for (auto _ : state) {
-    auto& site = sites[i];
-    site = subject.split(subject.collapse(site));
-    if (++i == sites.size()) i = 0;
-  }
+  at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.split(subject.collapse(site)); });
 }
 
 template <class Subject>

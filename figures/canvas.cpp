@@ -137,8 +137,7 @@ void Canvas::stroke(const std::vector<Polyline>& lines, const Stroke& stroke, bo
   cairo_stroke(context_);
 }
 
-void Canvas::polygon(const Polyline& polygon, std::optional<Colour> fill, const std::optional<Stroke>& stroke) {
-  trace(polygon, true);
+void Canvas::paint(std::optional<Colour> fill, const std::optional<Stroke>& stroke) {
   if (fill) {
     apply(*fill);
     cairo_fill_preserve(context_);
@@ -150,19 +149,16 @@ void Canvas::polygon(const Polyline& polygon, std::optional<Colour> fill, const 
   cairo_new_path(context_);
 }
 
+void Canvas::polygon(const Polyline& polygon, std::optional<Colour> fill, const std::optional<Stroke>& stroke) {
+  trace(polygon, true);
+  paint(fill, stroke);
+}
+
 void Canvas::circle(Point centre, double radius, std::optional<Colour> fill, const std::optional<Stroke>& stroke) {
   cairo_new_sub_path(context_);
   cairo_arc(context_, snapped(centre.x()), -snapped(centre.y()), radius, 0, 2 * std::numbers::pi);
   cairo_close_path(context_);
-  if (fill) {
-    apply(*fill);
-    cairo_fill_preserve(context_);
-  }
-  if (stroke) {
-    apply(*stroke);
-    cairo_stroke_preserve(context_);
-  }
-  cairo_new_path(context_);
+  paint(fill, stroke);
 }
 
 void Canvas::arc(Point centre, double radius, double from, double to, const Stroke& stroke) {

@@ -56,6 +56,8 @@ class Canvas {
   void trace(const Polyline& line, bool closed);
   void apply(Colour colour);
   void apply(const Stroke& stroke);
+  // Fills and strokes the path, as far as is asked for, and drops it.
+  void paint(std::optional<Colour> fill, const std::optional<Stroke>& stroke);
 
   _cairo* context_;
 };
