@@ -106,7 +106,7 @@ Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
     // A v3 is a courier's u, a v5 its v.
     std::vector<mesh::CourierPlace> places;
     for (const int sign : {-1, 1}) {
-      sectors.for_each_edge(from, sign, [&](VertexId, HalfEdgeId at) {
+      sectors.for_each_edge(from, sign, [&, from = from](VertexId, HalfEdgeId at) {
         const bool at_u = m.origin(at) == from;
         places.push_back({at, (sign < 0) != at_u});
       });

@@ -37,21 +37,23 @@ Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d
 }  // namespace
 
 Vector3d nearest_on_triangle(const Triangle& t, const Vector3d& p) {
+  constexpr double kFlat = 1e-6;
   const auto& [a, b, c] = t;
   const Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  // Law: the interior region is entered only if the triangle has area; else the sides are all there is.
   const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   if (d1 <= 0 && d2 <= 0) return a;
   if (d3 >= 0 && d4 <= d3) return b;
   if (d6 >= 0 && d5 <= d6) return c;
+  Vector3d best = a;
   if (va > 0 && vb > 0 && vc > 0) {
-    const double sum = va + vb + vc;
-    return a + ab * (vb / sum) + ac * (vc / sum);
+    const double sum = va + vb + vc;  // twice the area, squared
+    best = a + ab * (vb / sum) + ac * (vc / sum);
+    // In a triangle that is nearly flat rounding decides of the three signs, and a side may be nearer.
+    if (sum > kFlat * ab.squaredNorm() * ac.squaredNorm()) return best;
   }
   // Outside one side, or outside two at an obtuse corner, or flat: the nearest of the sides.
-  Vector3d best = nearest_on_segment(a, b, p);
-  for (const Vector3d& q : {nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)}) {
+  for (const Vector3d& q : {nearest_on_segment(a, b, p), nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)}) {
     if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
   }
   return best;

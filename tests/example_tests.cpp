@@ -98,16 +98,18 @@ Model cylinder(int n, int rings, int levels) {
                  {(-1 + 2.0 * x / n) * kSquare, (-1 + 2.0 * y / n) * kSquare, kHeight * level / levels});
   };
   for (const int level : {0, levels}) {
-    const auto face = [&](int a, int b, int c, int d) {
-      m.faces.push_back(level > 0 ? std::array{a, b, c, d} : std::array{a, d, c, b});
+    // Clockwise, from the corner that lies last, and in braces: vertices get their numbers in this order, on which the
+    // script relies.
+    const auto face = [&](const std::array<int, 4>& f) {
+      m.faces.push_back(level > 0 ? std::array{f[3], f[2], f[1], f[0]} : std::array{f[3], f[0], f[1], f[2]});
     };
     for (int x = 0; x < n; ++x) {
       for (int y = 0; y < n; ++y)
-        face(inner(level, x, y), inner(level, x + 1, y), inner(level, x + 1, y + 1), inner(level, x, y + 1));
+        face({inner(level, x, y + 1), inner(level, x + 1, y + 1), inner(level, x + 1, y), inner(level, x, y)});
     }
     for (int r = 0; r < rings; ++r) {
       for (int i = 0; i < round; ++i)
-        face(outer(level, r, i), outer(level, r + 1, i), outer(level, r + 1, i + 1), outer(level, r, i + 1));
+        face({outer(level, r, i + 1), outer(level, r + 1, i + 1), outer(level, r + 1, i), outer(level, r, i)});
     }
   }
   for (int level = 0; level < levels; ++level) {

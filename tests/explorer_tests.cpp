@@ -257,7 +257,7 @@ TEST_CASE("the explorer's graph has the places of Figures 10, 11 and 12", "[expl
         json spot{0, 0, 0};
         spot[static_cast<std::size_t>((p + 2) % 3)] = m;
         if (n > 0) spot[static_cast<std::size_t>((p + 1) % 3)] = n;
-        CHECK(node["spots"] == json{spot});
+        CHECK(node["spots"] == json::array({spot}));
       }
     }
   }

@@ -56,7 +56,7 @@ Surface shaken_grid(int columns, int rows, double by, std::mt19937& random) {
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
       s.positions.emplace_back(i, j, 0);
-      if (i > 0 && j > 0 && i < columns && j < rows) s.positions.back() += Vector3d(d(random), d(random), 0);
+      if (i > 0 && j > 0 && i < columns && j < rows) s.positions.back() += Vector3d{d(random), d(random), 0};
       if (i < columns && j < rows) faces.push_back({j * w + i, j * w + i + 1, (j + 1) * w + i + 1, (j + 1) * w + i});
     }
   }
@@ -163,7 +163,7 @@ TEST_CASE("diagnosis: genus of several components, boundary turns", "[geometry]"
 TEST_CASE("nearest point of a triangle against a fine search", "[geometry]") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> d(-1, 1);
-  const auto point = [&] { return Vector3d(d(random), d(random), d(random)); };
+  const auto point = [&] { return Vector3d{d(random), d(random), d(random)}; };
   for (int trial = 0; trial < 300; ++trial) {
     Triangle t{point(), point(), point()};
     if (trial % 10 == 1) t[2] = t[0] + 0.3 * (t[1] - t[0]);  // flat
@@ -199,7 +199,7 @@ TEST_CASE("SurfaceIndex finds what a search through all triangles finds", "[geom
     for (int trial = 0; trial < 200; ++trial) {
       // On vertices, near the surface, and far out.
       const double off = trial % 3 == 0 ? 0 : trial % 3 == 1 ? 0.02 : 5;
-      const Vector3d p = s.positions[random() % s.positions.size()] + off * Vector3d(d(random), d(random), d(random));
+      const Vector3d p = s.positions[random() % s.positions.size()] + off * Vector3d{d(random), d(random), d(random)};
       double best = 1e300;
       for (const FaceId f : s.mesh.faces()) {
         for (const Triangle& t : triangles(s.mesh, s.positions, f))

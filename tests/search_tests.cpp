@@ -41,7 +41,7 @@ TEST_CASE("every filling has the boundary and the valences that were asked for",
                                                                   {{6, 4}, {2}},
                                                                   {{3, 3, 3, 3, 3, 3, 3}, {5, 5, 5}}}) {
     const SearchProblem problem = search_problem(sides, irregular);
-    search(problem, {}, [&](const Filling& filling) {
+    search(problem, {}, [&, &sides = sides, &irregular = irregular](const Filling& filling) {
       const mesh::Region region = region_of(filling);
       const std::scoped_lock lock(mutex);
       REQUIRE(mesh::validate(region.mesh).empty());
@@ -178,7 +178,7 @@ TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and bud
         problem.interior_quads.pop_back();
       }
     };
-    const auto choose_inside = [&](auto&& self, int corners) -> void {
+    const auto choose_inside = [&, n = n](auto&& self, int corners) -> void {
       if (static_cast<int>(problem.irregular.size()) == n) return choose_boundary(choose_boundary, corners);
       for (int l = problem.irregular.empty() ? 2 : problem.irregular.back(); l <= corners - length; ++l) {
         problem.irregular.push_back(l);

@@ -104,7 +104,7 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
       const int k = valences[0] + valences[1] + valences[2] - 8;
       for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min(ranges.other_perimeter.last, largest); ++perimeter) {
         if (perimeter < k || perimeter % 2 != 0) continue;
-        for_each_necklace(k, perimeter, [&](const std::vector<Integer>& sides) {
+        for_each_necklace(k, perimeter, [&, valences = valences](const std::vector<Integer>& sides) {
           list.cases.push_back({Family::three_vertices, theory::PairType{k + 1, 3}, theory::to_vector(sides), valences});
         });
       }
