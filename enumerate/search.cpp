@@ -7,10 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
 #include "enumerate/filler.hpp"
+#include "enumerate/threads.hpp"
 #include "mesh/signature.hpp"
 
 namespace requad::enumerate {
@@ -25,9 +23,7 @@ std::int64_t run_parallel(const Filler& start, int faces_before, int threads, co
   std::vector<Filler> branches;
   const Filler::Fork fork = [&branches](const Filler& filler) { branches.push_back(filler); };
   std::atomic<std::int64_t> states{first.run(visit, faces_before + kFacesBeforeForking, &fork)};
-  std::optional<tbb::global_control> limit;
-  if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::parallel_for(std::size_t{0}, branches.size(), [&](std::size_t i) { states += branches[i].run(visit); });
+  run_on_threads(branches.size(), threads, [&](std::size_t i) { states += branches[i].run(visit); });
   return states;
 }
 

@@ -13,6 +13,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
+#include "tests/sanitizers.hpp"
 
 using namespace requad;
 using tests::call;
@@ -24,17 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // GCC
-constexpr bool kSanitized = true;
-#elif defined(__has_feature)  // clang
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
-
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-std::string memory(int kibibytes) { return kSanitized ? "" : "ulimit -v " + std::to_string(kibibytes) + "; "; }
+std::string memory(int kibibytes) { return tests::kSanitized ? "" : "ulimit -v " + std::to_string(kibibytes) + "; "; }
 
 std::string path_of(const std::string& program) { return "'" REQUAD_PROGRAM_DIR "/requad-" + program + "'"; }
 
@@ -172,7 +165,7 @@ TEST_CASE("garbage without end on a pipe is refused at once, in bounded memory",
                   path_of("edit") + " info " + name),
             before, {"zero byte"});
   }
-  if (kSanitized) return;
+  if (tests::kSanitized) return;
   refused(
       shell("(timeout 60 yes garbage >pipe.obj) 2>/dev/null & " + memory(200000) + path_of("edit") + " info pipe.obj"),
       before, {"does not fit into memory"});

@@ -1,13 +1,10 @@
 #include "verify/campaign.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
+#include "enumerate/threads.hpp"
 #include "verify/judging.hpp"
 
 namespace requad::verify {
@@ -139,21 +136,6 @@ double weight(const RegionCase& region) {
   }
 }
 
-// Cases handed out one by one to threads.
-void run_threads(const std::vector<std::size_t>& todo, int threads, const std::function<CaseResult(std::size_t)>& run,
-                 const Done& done) {
-  std::optional<tbb::global_control> limit;
-  if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const std::size_t workers = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  std::atomic<std::size_t> next{0};
-  tbb::parallel_for(
-      std::size_t{0}, workers,
-      [&](std::size_t) {
-        for (std::size_t i = next++; i < todo.size(); i = next++) done(todo[i], run(todo[i]));
-      },
-      tbb::simple_partitioner());
-}
-
 }  // namespace
 
 std::string campaign_name(const std::string& version, const std::vector<const Claim*>& selected, const Ranges& ranges,
@@ -217,7 +199,7 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   if (running.distribute) {
     running.distribute(todo, done);
   } else {
-    run_threads(todo, running.threads, run, done);
+    enumerate::run_on_threads(todo.size(), running.threads, [&](std::size_t i) { done(todo[i], run(todo[i])); });
   }
   progress.finish();
 
