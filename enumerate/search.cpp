@@ -40,8 +40,10 @@ int positive_index(const std::vector<int>& irregular) {
 SearchProblem search_problem(const std::vector<int>& sides, std::vector<int> irregular) {
   SearchProblem problem{{}, std::move(irregular)};
   for (const int side : sides) {
+    if (problem.interior_quads.size() > kMostBoundary) break;  // what problem_with() refuses need not be written out
     problem.interior_quads.push_back(1);
-    problem.interior_quads.insert(problem.interior_quads.end(), static_cast<std::size_t>(std::max(side - 1, 0)), 2);
+    const auto rest = static_cast<std::size_t>(std::max(side - 1, 0));
+    problem.interior_quads.insert(problem.interior_quads.end(), std::min(rest, kMostBoundary), 2);
   }
   return problem;
 }
@@ -49,7 +51,7 @@ SearchProblem search_problem(const std::vector<int>& sides, std::vector<int> irr
 std::string problem_with(const SearchProblem& problem) {
   const std::size_t edges = problem.interior_quads.size();
   if (edges < 3) return "a boundary of " + std::to_string(edges) + " edges encloses no simple mesh";
-  if (edges > kMostBoundary) return "a boundary of " + std::to_string(edges) + " edges; expected at most 10000";
+  if (edges > kMostBoundary) return "a boundary of more than " + std::to_string(kMostBoundary) + " edges";
   for (const int quads : problem.interior_quads) {
     if (quads < 1 || quads > 100)
       return "a boundary vertex with " + std::to_string(quads) + " interior quads; expected 1..100";

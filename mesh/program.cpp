@@ -97,11 +97,17 @@ class UnfinishedFile {
 
 }  // namespace
 
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; }, '?');
+  return text;
+}
+
 int run(std::string_view name, const std::function<int()>& body) {
   // A file that grows beyond its limit is an error to report, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   end_on_signals();
-  const auto say = [name](const char* what) { std::cerr << name << ": " << what << '\n'; };
+  const auto say = [name](const char* what) { std::cerr << one_line(std::string(name) + ": " + what) << '\n'; };
   try {
     const int code = body();
     std::cout.flush();

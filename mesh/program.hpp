@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace requad::program {
@@ -20,10 +21,14 @@ enum ExitCode : int {
   kUndecided = 3     // a limit was reached
 };
 
+// The text as one line: '?' for what would end the line or act on a terminal.
+std::string one_line(std::string text);
+
 // Bad arguments or input: one line that says what, where and what was expected.
 class UsageError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  // Arguments and names of files are quoted here: one_line() of it is kept.
+  explicit UsageError(std::string message) : std::runtime_error(one_line(std::move(message))) {}
 };
 
 // Calls body and returns its exit code; an exception ends in one line "NAME: message" on stderr and kBadInput for bad

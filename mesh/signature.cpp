@@ -94,6 +94,7 @@ Region from_signature(std::string_view text) {
       if (shift > 30) throw MeshError("signature: number too large at letter " + std::to_string(at + 1));
       ++at;
       value |= static_cast<std::int64_t>(digit % 32) << shift;
+      if (digit == 0 && shift > 0) throw MeshError("signature: number with a needless digit at letter " + std::to_string(at));
       if (digit < 32) return value;
     }
   };

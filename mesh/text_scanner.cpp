@@ -74,8 +74,10 @@ double TextScanner::number(const char* what) {
   if (text.empty()) fail(std::string("the line ends where ") + what + " is expected");
   double value = 0;
   const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data() + (text.front() == '+' ? 1 : 0), last, value);
-  if (error == std::errc::invalid_argument || end != last) fail(quoted(text) + " is not a number");
+  const bool plus = text.front() == '+';
+  const auto [end, error] = std::from_chars(text.data() + (plus ? 1 : 0), last, value);
+  if (error == std::errc::invalid_argument || end != last || text.starts_with("+-"))
+    fail(quoted(text) + " is not a number");
   if (error != std::errc() || !std::isfinite(value)) fail(quoted(text) + " is not a finite number");
   return value;
 }
@@ -107,11 +109,7 @@ void TextScanner::fail(const std::string& name, int line, const std::string& rea
 
 std::string TextScanner::quoted(std::string_view word) {
   constexpr std::size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
-  }
-  return "'" + text + (word.size() > kLongest ? "...'" : "'");
+  return "'" + program::one_line(std::string(word.substr(0, kLongest))) + (word.size() > kLongest ? "...'" : "'");
 }
 
 std::string read_text(const std::string& path) {

@@ -118,6 +118,7 @@ TEST_CASE("OBJ: what is refused, and in which line", "[files]") {
       {"v 0 0 zero\n", "1: 'zero' is not a number"},
       {"v 0 0 1.2.3\n", "1: '1.2.3' is not a number"},
       {"v 0 0 1,5\n", "1: '1,5' is not a number"},  // whatever the locale
+      {"v 0 0 +-1\n", "1: '+-1' is not a number"},
       {"v 0 0 0x10\n", "1: '0x10' is not a number"},
       {"v 0 0 nan\n", "1: 'nan' is not a finite number"},
       {"v 0 0 -inf\n", "1: '-inf' is not a finite number"},

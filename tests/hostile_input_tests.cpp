@@ -127,6 +127,19 @@ TEST_CASE("what is no mesh is refused in one line", "[hostile]") {
   }
 }
 
+TEST_CASE("arguments that are odd or long are refused in one line", "[hostile]") {
+  const auto before = files();
+  // A line's end in an argument, in a name, and in the name of an option.
+  refused(shell(path_of("enumerate") + " search --irregular 3,3 --sides $'6,\\n6'"), before, {"'?6' is not an integer"});
+  refused(shell(path_of("edit") + " info $'no\\nfile.obj'"), before, {"no?file.obj: can not be read"});
+  refused(shell(path_of("edit") + " info $'--no\\noption'"), before, {"--no?option"});
+  // A boundary of 200 million edges in 14 kB.
+  std::string sides = "100000";
+  for (int i = 1; i < 2000; ++i) sides += ",100000";
+  refused(shell(memory(400000) + path_of("enumerate") + " search --irregular '' --sides " + sides), before,
+          {"more than 10000 edges"});
+}
+
 TEST_CASE("what is a mesh is read, however it is written", "[hostile]") {
   const auto text_of = [](const std::string& name) { return call("edit", "info '" + name + "' --json -").out; };
   spill(scratch() / "unix.obj", kSquare + "f 1 2 3 4\n");

@@ -68,6 +68,28 @@ TEST_CASE("results come back from JSON as they were", "[journal]") {
   CHECK_THROWS(case_result(to_json(r), 0));
 }
 
+TEST_CASE("JSON that is no result is refused, at a cost that its size bounds", "[journal]") {
+  using nlohmann::ordered_json;
+  CaseResult r = some_result(7);
+  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  const ordered_json good = to_json(r);
+  REQUIRE_NOTHROW(case_result(good, 2));
+  const std::string mesh = "/claims/0/violation/mesh";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"/claims/0/claim", "2"},   {"/claims/0/claim", "-1"},      {"/claims/0/claim", "0.5"},
+      {"/claims/0/checks", "-1"}, {"/claims/0/checks", "1e300"},  {"/claims/0/checks", "18446744073709551615"},
+      {mesh + "/root", "24"},     {mesh + "/root", "-1"},         {mesh + "/root", "4294967296"},
+      {mesh + "/vertices", "13"}, {mesh + "/vertices", "-1"},     {mesh + "/vertices", "2147483647"},
+      {mesh + "/faces/0", "[]"},  {mesh + "/faces/0/0", "-1"},    {mesh + "/faces/0/0", "4294967296"},
+      {mesh + "/faces", "7"},     {mesh + "/faces/0", "[0,1,2]"}, {mesh + "/faces/0", "[0,1,2,3,4]"}};
+  for (const auto& [place, value] : cases) {
+    INFO(place << ": " << value);
+    ordered_json bad = good;
+    bad[ordered_json::json_pointer(place)] = ordered_json::parse(value);
+    CHECK_THROWS(case_result(bad, 2));
+  }
+}
+
 TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[journal]") {
   const std::string path = (scratch() / "unit.journal").string();
   {

@@ -93,7 +93,8 @@ TEST_CASE("orbits under the boundary's symmetries", "[signature]") {
 
 TEST_CASE("texts that are no signatures are refused in one line", "[signature]") {
   const std::string good = signature(tests::grid(2, 2));
-  for (const std::string& text : {std::string(), std::string("0"), std::string("!!"), good + "0", good.substr(1), std::string("ZZZZZZZZZZZZ"), std::string("00001"), std::string("2222")}) {
+  for (const std::string& text : {std::string(), std::string("0"), std::string("!!"), good + "0", good.substr(1), std::string("ZZZZZZZZZZZZ"), std::string("00001"), std::string("2222"),
+                                 std::string("w0000"), std::string("000w0")}) {  // w0 is 0 again
     INFO(text);
     try {
       from_signature(text);

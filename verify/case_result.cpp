@@ -2,6 +2,8 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,10 +57,29 @@ ordered_json region_json(const mesh::Region& region) {
           {"faces", region.mesh.compact_faces()}};
 }
 
+constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+
+// An integer in low..high. (The library converts any number to any type, whether it fits or not.)
+std::int64_t integer(const ordered_json& json, std::int64_t low, std::int64_t high) {
+  // What is not negative, the parser keeps without a sign.
+  const bool fits = json.is_number_integer() && (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
+  const auto value = fits ? json.get<std::int64_t>() : 0;
+  if (!fits || value < low || value > high)
+    throw std::invalid_argument("no integer in " + std::to_string(low) + ".." + std::to_string(high));
+  return value;
+}
+
 mesh::Region region_from(const ordered_json& json) {
-  const auto faces = json.at("faces").get<std::vector<std::array<int, 4>>>();
-  return {mesh::QuadMesh::from_faces(json.at("vertices").get<int>(), faces),
-          mesh::HalfEdgeId(json.at("root").get<std::int32_t>())};
+  std::vector<std::array<int, 4>> faces;
+  const auto corners = static_cast<std::int64_t>(4 * json.at("faces").size());
+  for (const ordered_json& face : json["faces"]) {
+    if (face.size() != 4) throw std::invalid_argument("a face has " + std::to_string(face.size()) + " corners");
+    std::array<int, 4>& quad = faces.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) quad[k] = static_cast<int>(integer(face.at(k), 0, corners));
+  }
+  // Each vertex has a face.
+  return {mesh::QuadMesh::from_faces(static_cast<int>(integer(json.at("vertices"), 0, corners)), faces),
+          mesh::HalfEdgeId(static_cast<std::int32_t>(integer(json.at("root"), 0, corners - 1)))};
 }
 
 }  // namespace
@@ -88,11 +109,10 @@ CaseResult case_result(const ordered_json& json, std::size_t claims) {
   result.judgements.assign(claims, not_applicable());
   result.seconds.assign(claims, 0);
   for (const ordered_json& entry : json.at("claims")) {
-    const auto i = entry.at("claim").get<std::size_t>();
-    if (i >= claims) throw std::invalid_argument("no claim " + std::to_string(i));
+    const auto i = static_cast<std::size_t>(integer(entry.at("claim"), 0, static_cast<std::int64_t>(claims) - 1));
     Judgement& j = result.judgements[i];
     j.applies = true;
-    j.checks = entry.at("checks").get<std::int64_t>();
+    j.checks = integer(entry.at("checks"), 0, kMost);
     if (entry.contains("row")) j.row = entry["row"];
     if (entry.contains("violation")) {
       const ordered_json& v = entry["violation"];

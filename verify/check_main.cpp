@@ -229,8 +229,8 @@ int number(const std::string& word) {
   return std::stoi(word);
 }
 
-int tau(int length) {
-  const int n = length / 2;
+long long tau(int length) {
+  const long long n = length / 2;
   return length % 2 == 0 ? n * (n - 1) : n * n;
 }
 

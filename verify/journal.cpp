@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 #include <fcntl.h>
@@ -35,6 +36,13 @@ std::string checksum(std::string_view text) {
 }
 
 std::string record_line(const std::string& json) { return checksum(json) + " " + json + "\n"; }
+
+// For the parser. No record is nested so deeply; what is copies and prints itself by as many calls in calls.
+bool no_deeper(int depth, ordered_json::parse_event_t, ordered_json&) {
+  constexpr int kDeepest = 32;
+  if (depth > kDeepest) throw std::invalid_argument("it is nested more than " + std::to_string(kDeepest) + " deep");
+  return true;
+}
 
 // What a line says, if it is whole.
 std::optional<std::string_view> content(std::string_view line) {
@@ -81,7 +89,7 @@ void Journal::read(const std::string& run, std::size_t cases, std::size_t claims
       break;
     }
     try {
-      const ordered_json record = ordered_json::parse(*json);
+      const ordered_json record = ordered_json::parse(*json, no_deeper);
       if (line == 1) {
         if (record.at("requad-verify journal").get<std::string>() != run)
           refuse(line, "it belongs to another run: " + record["requad-verify journal"].get<std::string>());

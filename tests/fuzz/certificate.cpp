@@ -1,0 +1,62 @@
+// Certificates. The program that checks them shares no code with the project; so it is taken in as a whole.
+#define main requad_verify_check
+#include "verify/check_main.cpp"
+#undef main
+
+#include "mesh/validate.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+using namespace requad;
+
+const std::size_t fuzz::kBytesPerByte = 1000;
+
+namespace {
+
+bool holds(const std::string& text) {
+  std::istringstream in(text);
+  Lines lines(in);
+  try {
+    check(lines);
+    return true;
+  } catch (const Rejected& rejected) {
+    fuzz::require_one_line(rejected.what());
+    return false;
+  }
+}
+
+// All meshes of a certificate that holds are disks for the library, too.
+void check_meshes(const std::string& text) {
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream head(line);
+    std::string mesh, index, pair, label, word;
+    int vertices = 0, count = 0;
+    if (!(head >> mesh >> index >> pair >> label >> word >> vertices >> word >> count) || mesh != "mesh") continue;
+    std::vector<std::array<int, 4>> faces(static_cast<std::size_t>(count));
+    for (auto& face : faces) {
+      for (int& corner : face) in >> corner;
+    }
+    std::getline(in, line);
+    const auto m = mesh::QuadMesh::from_faces(vertices, faces);
+    fuzz::require(mesh::validate(m).empty(), "a mesh is not valid");
+    fuzz::require(mesh::euler_characteristic(m) == 1 && mesh::boundary_loop_count(m) == 1, "a mesh is no disk");
+  }
+}
+
+// The text with one more of what a line at its start counts.
+std::string with_one_more(std::string text, const std::string& what) {
+  const std::size_t start = text.find("\n" + what + " ") + what.size() + 2;
+  const std::size_t end = text.find('\n', start);
+  return text.replace(start, end - start, std::to_string(std::stoi(text.substr(start, end - start)) + 1));
+}
+
+}  // namespace
+
+void fuzz::try_input(std::string_view text) {
+  const std::string certificate(text);
+  if (!holds(certificate)) return;
+  check_meshes(certificate);
+  for (const char* what : {"configurations", "merged", "edges"})
+    require(!holds(with_one_more(certificate, what)), std::string("a wrong number of ") + what + " is let through");
+  require(!holds(certificate.substr(0, certificate.rfind("end"))), "a certificate without its end is let through");
+}

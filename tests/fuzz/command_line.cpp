@@ -1,0 +1,102 @@
+// Command lines: the options and the numbers in them. The input holds the arguments as /proc/PID/cmdline does, each
+// with a zero byte after it.
+//
+// No command runs: what they do with arguments that are right is another matter, and takes files and time. What decides
+// whether they are right is here: the options' parser, numbers, lists and ranges, and the conditions on sides, strips
+// and searches.
+#include "enumerate/search.hpp"
+#include "mesh/options.hpp"
+#include "tests/fuzz/fuzz.hpp"
+#include "theory/counts.hpp"
+
+using namespace requad;
+using program::Options;
+
+const std::size_t fuzz::kBytesPerByte = 3000;
+
+namespace {
+
+// A condition says "" or one line.
+bool fulfils(const std::string& problem) {
+  if (!problem.empty()) fuzz::require_one_line(problem);
+  return problem.empty();
+}
+
+std::string list_of(const std::vector<std::int64_t>& values) {
+  std::string text;
+  for (const std::int64_t value : values) text += (text.empty() ? "" : ",") + std::to_string(value);
+  return text;
+}
+
+std::vector<std::int64_t> numbers(const Options& options, const char* name) {
+  const auto values = program::parse_integers(options.text(name), name);
+  fuzz::require(program::parse_integers(list_of(values), name) == values, "what was written reads differently");
+  return values;
+}
+
+// As `requad-enumerate search` does.
+std::vector<int> as_ints(const std::vector<std::int64_t>& values) {
+  std::vector<int> result;
+  for (const std::int64_t x : values) {
+    if (x < 0 || x > 100'000) throw program::UsageError("out of range");
+    result.push_back(static_cast<int>(x));
+  }
+  return result;
+}
+
+void try_sides(const Options& options, theory::PairType type) {
+  const theory::IntegerVector sides = theory::to_vector(numbers(options, "sides"));
+  if (!fulfils(theory::sides_problem(type, sides))) return;
+  const bool quick = type != theory::kHexagon || sides.maxCoeff() < 100;
+  fuzz::require(!quick || theory::exact_count(type, sides) >= 0, "a negative count");
+}
+
+void try_strips(const Options& options, theory::PairType type) {
+  const auto& words = options.words();
+  if (words.size() != 3) return;
+  theory::Configuration c;
+  c.parameters = {program::parse_integer(words[0], "D1"), program::parse_integer(words[1], "D2"),
+                  theory::to_vector(program::parse_integers(words[2], "strips"))};
+  if (!fulfils(theory::parameters_problem(type, c.parameters))) return;
+  fuzz::require(theory::region_sides(type, c).minCoeff() > 0, "a side without length");
+}
+
+void try_search(const Options& options) {
+  std::vector<int> irregular;
+  if (!options.text("irregular").empty()) irregular = as_ints(numbers(options, "irregular"));
+  const auto problem = enumerate::search_problem(as_ints(numbers(options, "sides")), std::move(irregular));
+  if (fulfils(enumerate::problem_with(problem))) enumerate::may_be_infinite(problem);
+}
+
+}  // namespace
+
+void fuzz::try_input(std::string_view text) {
+  std::vector<std::string> arguments{"program"};
+  for (; !text.empty(); text.remove_prefix(std::min(text.size(), arguments.back().size() + 1)))
+    arguments.emplace_back(text.substr(0, text.find('\0')));
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  accepts([&] {
+    const program::OptionTable table{
+        {"list", "undo"}, {"output,o", "sides", "irregular", "digon", "limit", "angle"}, {"claim"}};
+    const Options options(static_cast<int>(arguments.size()), pointers.data(), table);
+    // Each of these may refuse: it must not keep the others from being tried.
+    accepts([&] { options.allow_only("command", {"output", "sides", "digon", "limit"}); });
+    accepts([&] { options.one_on_stdout({"json", "output"}); });
+    accepts([&] { options.integer("limit", 0, -5, 1000); });
+    accepts([&] {
+      const double angle = options.number("angle", 0, 0, 180);
+      require(angle >= 0 && angle <= 180, "a number out of range");
+    });
+    accepts([&] {
+      const program::Range range = program::parse_range(options.text("digon"), "--digon");
+      require(range.first <= range.last, "an empty range");
+    });
+    for (const theory::PairType type : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
+      accepts([&] { try_sides(options, type); });
+      accepts([&] { try_strips(options, type); });
+    }
+    accepts([&] { try_search(options); });
+  });
+}

@@ -1,0 +1,54 @@
+// What is checked of a mesh file that is read: laws F1 and F2 of polygon_file.hpp, and that what is written reads back.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "mesh/obj.hpp"
+#include "mesh/polygon_file.hpp"
+#include "mesh/validate.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+namespace requad::fuzz {
+
+inline bool same_bits(const mesh::Positions& a, const mesh::Positions& b) {
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](const auto& p, const auto& q) { return mesh::same_bits(p, q); });
+}
+
+inline void check_polygons(const mesh::PolygonMesh& m) {
+  require(m.face_count() > 0, "a mesh without a face");
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    const std::set<int> corners(m.face(f).begin(), m.face(f).end());
+    require(corners.size() >= 3 && corners.size() == m.face(f).size(), "a face of less than three different corners");
+    require(*corners.begin() >= 0 && *corners.rbegin() < static_cast<int>(m.positions.size()), "no such vertex");
+  }
+  for (const auto& p : m.positions) require(p.cwiseAbs().maxCoeff() <= mesh::kLargestCoordinate, "a large coordinate");
+}
+
+inline void check_surface(const mesh::Surface& s) {
+  require(mesh::validate(s.mesh).empty(), "the mesh is not valid");
+  std::ostringstream out;
+  mesh::write_obj(out, s.mesh, s.positions);
+  const mesh::Surface again = mesh::to_quad_mesh(mesh::parse_obj(out.str(), "what was written"));
+  require(again.mesh == s.mesh && same_bits(again.positions, s.positions), "what was written reads differently");
+}
+
+// `parse` is parse_obj or parse_off.
+template <class Parse>
+void try_reader(std::string_view text, Parse&& parse) {
+  mesh::PolygonMesh polygons;
+  if (!accepts([&] { polygons = parse(text, "file"); })) return;
+  check_polygons(polygons);
+  for (const bool subdivided : {false, true}) {
+    mesh::Surface surface;
+    if (accepts([&] { surface = mesh::to_quad_mesh(subdivided ? mesh::subdivide(polygons) : polygons); })) {
+      require(mesh::manifold_problem(polygons).empty(), "a mesh of polygons that are no manifold");
+      check_surface(surface);
+    }
+  }
+}
+
+}  // namespace requad::fuzz
