@@ -225,7 +225,7 @@ void openmesh_read_and_write(benchmark::State& state) {
     faces = mesh.n_faces();
   }
   if (faces != static_cast<std::size_t>(state.range(0) * state.range(0))) state.SkipWithError("faces are missing");
-  state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(0));
+  count_quads(state);
 }
 BENCHMARK(openmesh_read_and_write)->Name("obj_read_and_write/openmesh")->Apply(sides);
 
