@@ -1,22 +1,26 @@
-// What single edits cost on meshes of ten thousand, a hundred thousand and a million quads: whether editing stays
-// interactive. The same edit in the middle of meshes of different sizes, then on one size over longer and longer paths.
+// What edits cost by way of an editor, which checks, keeps positions in step and can take back: whether editing stays
+// interactive. The same edit in the middle of meshes of ten thousand, a hundred thousand and a million quads, then on
+// one size over longer and longer paths; and the reduction of whole meshes.
 
 #include <array>
 #include <cmath>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "enumerate/generators.hpp"
+#include "bench/regions.hpp"
+#include "bench/subjects.hpp"
 #include "mesh/atomic_operations.hpp"
 #include "mesh/complementary.hpp"
+#include "mesh/reduce.hpp"
 #include "mesh/separatrix.hpp"
 
+namespace requad::bench {
 namespace {
 
-using namespace requad;
 using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::VertexId;
@@ -24,12 +28,12 @@ using mesh::VertexId;
 constexpr std::int64_t kPath = 8;         // where the size of the mesh is what changes
 constexpr std::int64_t kQuads = 100'000;  // where the path is
 
-// A mesh with the editor of an interactive program: positions are kept in step.
+// A mesh with the editor of an interactive program.
 struct Scene {
   explicit Scene(QuadMesh m)
-      : mesh(std::move(m)),
-        positions(static_cast<std::size_t>(mesh.vertex_capacity()), Eigen::Vector3d::Zero()),
-        editor(mesh, nullptr, &positions) {}
+      : Scene(m, mesh::Positions(static_cast<std::size_t>(m.vertex_capacity()), Eigen::Vector3d::Zero())) {}
+  Scene(QuadMesh m, mesh::Positions p)
+      : mesh(std::move(m)), positions(std::move(p)), editor(mesh, nullptr, &positions) {}
 
   QuadMesh mesh;
   mesh::Positions positions;
@@ -39,7 +43,7 @@ struct Scene {
 // A digon of about this many quads whose two v3s span d x d quads in the middle: d^2 + 4 d e + 2 e^2 quads.
 QuadMesh digon(std::int64_t quads, std::int64_t d) {
   const auto strips = static_cast<std::int64_t>(std::sqrt(static_cast<double>(quads + d * d) / 2)) - d;
-  return enumerate::glue_region(theory::kDigon, {{d, d, theory::IntegerVector::Constant(2, strips)}, 1}).mesh;
+  return spread_pair(theory::kDigon, d, strips).mesh;
 }
 
 // A region of about this many quads round one v3, which then moves and sends the adjacent 3-5 pair that it leaves
@@ -50,8 +54,7 @@ struct ThreeVertices {
   VertexId three;
   VertexId five;
 
-  ThreeVertices(std::int64_t quads, std::int64_t steps)
-      : scene(enumerate::glue_region({4, 3}, {{0, 0, theory::IntegerVector::Constant(3, side(quads))}, 1}).mesh) {
+  ThreeVertices(std::int64_t quads, std::int64_t steps) : scene(spread_pair({4, 3}, 0, side(quads)).mesh) {
     mesh::Editor& editor = scene.editor;
     const VertexId start = mesh::irregular_vertices(scene.mesh)[0];
     const HalfEdgeId along = scene.mesh.out(start);
@@ -100,7 +103,8 @@ void atomic_move_and_back(benchmark::State& state) {
 }
 BENCHMARK(atomic_move_and_back)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 
-// How long does a pair move and its inverse take, of a 3-3 pair that spans d x d quads? It closes over 2 d + 1 quads.
+// How long does a pair move and its inverse take, each with a report, of a 3-3 pair that spans d x d quads? It closes
+// over 2 d + 1 quads.
 void pair_move_and_back(benchmark::State& state) {
   Scene scene(digon(state.range(0), state.range(1)));
   const auto pair = mesh::irregular_vertices(scene.mesh);
@@ -201,7 +205,52 @@ void first_split(benchmark::State& state) {
     if (done.refusal != mesh::Refusal::none) state.SkipWithError("refused");
   }
   count_quads(state, untouched.mesh);
+  state.SetComplexityN(untouched.mesh.face_count());
 }
-BENCHMARK(first_split)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(first_split)
+    ->ArgName("quads")
+    ->RangeMultiplier(10)
+    ->Range(10'000, 1'000'000)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity(benchmark::oN);
+
+// A legal atomic operation for every hundred quads, at random vertices.
+void disturb(Scene& scene) {
+  std::mt19937 random(2011);
+  const auto pick = [&random](std::size_t count) { return random() % count; };
+  for (int left = scene.mesh.face_count() / 100; left > 0;) {
+    const VertexId v(static_cast<int>(pick(static_cast<std::size_t>(scene.mesh.vertex_capacity()))));
+    if (!scene.mesh.is_live(v)) continue;
+    const auto choices = mesh::atomic_operations(scene.editor, v);
+    if (choices.empty()) continue;
+    left -= perform(scene.editor, choices[pick(choices.size())].operation).refusal == mesh::Refusal::none ? 1 : 0;
+  }
+}
+
+// How does the reduction of a disturbed torus, on which every irregular vertex can be cancelled, grow with its quads?
+void reduce_disturbed_torus(benchmark::State& state) {
+  const auto n = static_cast<int>(state.range(0));
+  Scene disturbed(QuadMesh::from_faces(n * n, torus_faces(n)), torus_positions(n));
+  disturb(disturbed);
+  mesh::ReduceReport report;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Scene scene(disturbed.mesh, disturbed.positions);
+    state.ResumeTiming();
+    report = mesh::reduce(scene.editor, {});
+    if (!report.minimal) state.SkipWithError("not minimal");
+  }
+  count_quads(state, disturbed.mesh);
+  state.counters["irregular"] = report.before;
+  state.counters["cancelled"] = report.cancelled;
+  state.SetComplexityN(disturbed.mesh.face_count());
+}
+BENCHMARK(reduce_disturbed_torus)
+    ->ArgName("side")
+    ->RangeMultiplier(2)
+    ->Range(16, 128)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 
 }  // namespace
+}  // namespace requad::bench

@@ -1,12 +1,10 @@
 // The file that loading and writing are measured on.
 #pragma once
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 
 #include <benchmark/benchmark.h>
 
@@ -15,23 +13,21 @@
 
 namespace requad::bench {
 
-// 100^2 and 1000^2 quads.
+// Ten thousand, a hundred thousand and a million quads.
 inline void sides(benchmark::internal::Benchmark* b) {
-  b->ArgName("side")->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+  b->ArgName("side")->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);
+}
+inline void count_quads(benchmark::State& state) {
+  const std::int64_t quads = state.range(0) * state.range(0);
+  state.SetItemsProcessed(state.iterations() * quads);
+  state.SetComplexityN(quads);
 }
 
 // A torus of n x n quads in the folder for temporary files, and a place for a copy; both go with this object.
 class ObjFile {
  public:
   explicit ObjFile(int n) : path_(std::filesystem::temp_directory_path() / "requad-bench.obj") {
-    mesh::Positions positions;
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        const double s = 2 * std::numbers::pi * i / n, t = 2 * std::numbers::pi * j / n;
-        positions.emplace_back((3 + std::cos(t)) * std::cos(s), (3 + std::cos(t)) * std::sin(s), std::sin(t));
-      }
-    }
-    mesh::save_obj(path(), mesh::QuadMesh::from_faces(n * n, torus_faces(n)), positions);
+    mesh::save_obj(path(), mesh::QuadMesh::from_faces(n * n, torus_faces(n)), torus_positions(n));
   }
   ~ObjFile() {
     std::remove(path().c_str());

@@ -5,8 +5,8 @@
 namespace requad::bench {
 namespace {
 
-void two_sizes(benchmark::internal::Benchmark* b) {
-  b->ArgName("side")->Arg(128)->Arg(1024)->Unit(benchmark::kMicrosecond);
+void sides(benchmark::internal::Benchmark* b) {
+  b->ArgName("side")->RangeMultiplier(2)->Range(128, 1024)->Unit(benchmark::kMicrosecond)->Complexity(benchmark::oN);
 }
 
 // How long does it take to pair the edges of a torus of n x n quads, without a test whether it is a mesh?
@@ -18,16 +18,18 @@ void build_kernel(benchmark::State& state) {
     kernel.build(n * n, faces);
     benchmark::DoNotOptimize(kernel.twin(0));
   }
+  state.SetComplexityN(n * n);
 }
-BENCHMARK(build_kernel)->Name("build/kernel")->Apply(two_sizes);
+BENCHMARK(build_kernel)->Name("build/kernel")->Apply(sides);
 
 // And with every test, and a half-edge for each vertex?
 void build_requad(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const FaceList faces = torus_faces(n);
   for (auto _ : state) benchmark::DoNotOptimize(mesh::QuadMesh::from_faces(n * n, faces));
+  state.SetComplexityN(n * n);
 }
-BENCHMARK(build_requad)->Name("build/requad")->Apply(two_sizes);
+BENCHMARK(build_requad)->Name("build/requad")->Apply(sides);
 
 // How long does it take to visit the neighbours of every vertex?
 void one_rings_kernel(benchmark::State& state) {
@@ -46,8 +48,9 @@ void one_rings_kernel(benchmark::State& state) {
     }
     benchmark::DoNotOptimize(sum);
   }
+  state.SetComplexityN(n * n);
 }
-BENCHMARK(one_rings_kernel)->Name("one_rings/kernel")->Apply(two_sizes);
+BENCHMARK(one_rings_kernel)->Name("one_rings/kernel")->Apply(sides);
 
 // And with a test for the boundary at each step?
 void one_rings_requad(benchmark::State& state) {
@@ -59,8 +62,9 @@ void one_rings_requad(benchmark::State& state) {
       m.for_each_out(mesh::VertexId(v), [&](mesh::HalfEdgeId h) { sum += m.target(h).index(); });
     benchmark::DoNotOptimize(sum);
   }
+  state.SetComplexityN(n * n);
 }
-BENCHMARK(one_rings_requad)->Name("one_rings/requad")->Apply(two_sizes);
+BENCHMARK(one_rings_requad)->Name("one_rings/requad")->Apply(sides);
 
 const int registered = [] {
   register_operations<KernelSubject>();

@@ -1,113 +1,94 @@
-// What pair moves, signatures and explorations cost, by the size of the region.
+// What a whole pair move costs beside its basic operations, by kind of pair, step and distance.
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "enumerate/exploration.hpp"
-#include "enumerate/generators.hpp"
-#include "enumerate/walk.hpp"
+#include "bench/regions.hpp"
+#include "mesh/pair_moves.hpp"
 #include "mesh/separatrix.hpp"
-#include "mesh/signature.hpp"
 
+namespace requad::bench {
 namespace {
 
-using namespace requad;
+using mesh::PairMove;
+using mesh::PairStep;
+using mesh::QuadMesh;
 
-mesh::Region digon(std::int64_t length, std::int64_t d1, std::int64_t d2) {
-  theory::Configuration c;
-  c.parameters = {d1, d2, theory::IntegerVector::Constant(2, (length - d1 - d2) / 2)};
-  return enumerate::glue_region(theory::kDigon, c);
-}
-
-// How long does a flip and its inverse take, checked?
-void flip_and_back(benchmark::State& state) {
-  mesh::Region region = digon(64, 10, 10);
-  const mesh::HalfEdgeId h = mesh::QuadMesh::half_edge(mesh::FaceId(40), 1);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(mesh::flip(region.mesh, h, mesh::Turn::counter_clockwise));
-    benchmark::DoNotOptimize(mesh::flip(region.mesh, mesh::QuadMesh::next(h), mesh::Turn::clockwise));
+// A pair that spans d x d quads, and one of its moves.
+struct Start {
+  Start(theory::PairType type, PairStep step, std::int64_t d) : mesh(spread_pair(type, d, 4).mesh) {
+    const auto pair = mesh::irregular_vertices(mesh);
+    const auto moves = mesh::pair_moves(mesh, pair[0], pair[1]);
+    move = *std::find_if(moves.begin(), moves.end(), [step](const PairMove& m) { return m.step == step; });
   }
-}
-BENCHMARK(flip_and_back);
 
-// Does a pair move and its inverse cost time linear in d1 + d2, whatever the size of the mesh?
-void open_and_close(benchmark::State& state) {
-  const std::int64_t d = state.range(0);
-  mesh::Region region = digon(state.range(1), d, d);
-  mesh::PairMove move;
-  for (const mesh::VertexId v : region.mesh.vertices()) {
-    if (!region.mesh.is_boundary(v) && region.mesh.valence(v) == 3 && !move.frame.v1.valid()) {
-      region.mesh.for_each_out(v, [&](mesh::HalfEdgeId h) {
-        const auto frame = mesh::frame_at(region.mesh, h, static_cast<int>(d), static_cast<int>(d));
-        if (frame && region.mesh.valence(frame->v2) == 3) move = {*frame, mesh::PairStep::open};
-      });
+  QuadMesh mesh;
+  PairMove move;
+};
+
+void by_distance(benchmark::internal::Benchmark* b) {
+  b->ArgName("d")->RangeMultiplier(4)->Range(4, 256)->Complexity(benchmark::oN);
+}
+
+// How long do the basic operations of a move and their inverses take, checked, when it is known what they are?
+void operations(benchmark::State& state, theory::PairType type, PairStep step) {
+  Start start(type, step, state.range(0));
+  QuadMesh copy = start.mesh;
+  const mesh::MoveReport report = mesh::move_pair(copy, start.move);
+  std::vector<mesh::BasicOperation> there_and_back = report.operations;
+  there_and_back.insert(there_and_back.end(), report.undo.begin(), report.undo.end());
+  for (auto _ : state) {
+    for (const mesh::BasicOperation& operation : there_and_back) {
+      if (mesh::apply(start.mesh, operation).refusal != mesh::Refusal::none) state.SkipWithError("refused");
     }
   }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(there_and_back.size()));
+  state.SetComplexityN(2 * state.range(0));
+}
+
+// And the move and its inverse, which find out by themselves? They use other ids every time, so a round of them is
+// looked up beforehand and made again and again from the same mesh: what is timed has no search for frames in it.
+void mover(benchmark::State& state, theory::PairType type, PairStep step) {
+  constexpr int kRound = 256;
+  const Start start(type, step, state.range(0));
+  std::vector<PairMove> round{start.move};
+  QuadMesh m = start.mesh;
+  for (int i = 1; i < 2 * kRound; ++i) round.push_back(mesh::move_pair(m, round.back()).inverse);
+
+  m = start.mesh;
+  mesh::PairMover mover(m);
+  std::int64_t made = 0;
+  std::size_t next = 0;
   for (auto _ : state) {
-    const auto report = mesh::move_pair(region.mesh, move);
-    if (report.refusal != mesh::Refusal::none) state.SkipWithError("refused");
-    const auto back = mesh::move_pair(region.mesh, report.inverse);
-    move = back.inverse;
+    for (const std::size_t end = next + 2; next < end; ++next) {
+      const mesh::PairMover::Moved moved = mover.move(round[next]);
+      if (moved.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+      made += moved.operations;
+    }
+    if (next == round.size()) {
+      state.PauseTiming();
+      m = start.mesh;
+      next = 0;
+      state.ResumeTiming();
+    }
   }
-  state.SetComplexityN(2 * d);
+  state.SetItemsProcessed(made);
+  state.SetComplexityN(2 * state.range(0));
 }
-BENCHMARK(open_and_close)->Args({4, 128})->Args({8, 128})->Args({16, 128})->Args({32, 128})->Args({32, 256})->Args({32, 512});
 
-// Is the signature of a region linear in its faces?
-void region_signature(benchmark::State& state) {
-  const mesh::Region region = digon(state.range(0), 1, 1);
-  for (auto _ : state) benchmark::DoNotOptimize(mesh::signature(region));
-  state.SetItemsProcessed(state.iterations() * 4 * region.mesh.face_count());
-  state.SetComplexityN(region.mesh.face_count());
-}
-BENCHMARK(region_signature)->RangeMultiplier(2)->Range(16, 512)->Complexity(benchmark::oN);
-
-// How does a whole exploration of a regular digon grow with its side?
-void exploration(benchmark::State& state) {
-  const theory::IntegerVector sides = theory::IntegerVector::Constant(2, state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(enumerate::explore_all(theory::kDigon, sides, theory::Apex::without));
-  state.SetComplexityN(state.range(0));
-}
-BENCHMARK(exploration)->DenseRange(6, 24, 6)->Unit(benchmark::kMillisecond)->Complexity();
-
-// Does a walk over all configurations of a regular digon, each identified by its separatrices, grow with the cube of its
-// side? (Time for a basic operation: what the operations and the tracing of separatrices cost together.)
-void walk(benchmark::State& state) {
-  const theory::ConfigurationTable table(theory::kDigon, theory::IntegerVector::Constant(2, state.range(0)));
-  const mesh::Region start = enumerate::glue_region(theory::kDigon, table.smallest());
-  enumerate::WalkResult result;
-  for (auto _ : state) {
-    result = enumerate::walk(table, start);
-    if (!result.complete()) state.SkipWithError("incomplete");
+const int registered = [] {
+  for (const theory::PairType type : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
+    for (const PairStep step : mesh::kPairSteps) {
+      const std::string name = "pair_move/" + type.name() + "/" + mesh::name(step);
+      by_distance(benchmark::RegisterBenchmark((name + "/operations").c_str(), operations, type, step));
+      by_distance(benchmark::RegisterBenchmark((name + "/mover").c_str(), mover, type, step));
+    }
   }
-  state.SetItemsProcessed(state.iterations() * result.operations);
-  state.counters["moves"] = static_cast<double>(result.moves);
-  state.counters["operations"] = static_cast<double>(result.operations);
-  state.counters["traced"] = static_cast<double>(result.traced);
-  state.SetComplexityN(state.range(0));
-}
-BENCHMARK(walk)->RangeMultiplier(2)->Range(25, 400)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oNCubed);
-
-// What does a pair move without a report cost for each of its operations, by the distance of the pair?
-void mover_open_and_close(benchmark::State& state) {
-  const auto d = static_cast<int>(state.range(0));
-  mesh::Region region = digon(4 * d, d, d);
-  const auto v = mesh::irregular_vertices(region.mesh);
-  mesh::PairMove open{mesh::find_frames(region.mesh, v[0], v[1]).front(), mesh::PairStep::open};
-  mesh::PairMover mover(region.mesh);
-  std::int64_t operations = 0;
-  for (auto _ : state) {
-    const auto there = mover.move(open);
-    state.PauseTiming();
-    const auto close = mesh::PairMove{mesh::find_frames(region.mesh, there.v1, there.v2).front(), mesh::PairStep::close};
-    state.ResumeTiming();
-    const auto back = mover.move(close);
-    state.PauseTiming();
-    open.frame = mesh::find_frames(region.mesh, back.v1, back.v2).front();
-    state.ResumeTiming();
-    operations += there.operations + back.operations;
-  }
-  state.SetItemsProcessed(operations);
-}
-BENCHMARK(mover_open_and_close)->Arg(64)->Arg(256);
+  return 0;
+}();
 
 }  // namespace
+}  // namespace requad::bench

@@ -30,14 +30,14 @@ void digon_33(benchmark::State& state) {
   time_search(state, regular_polygon(2, state.range(0), {3, 3}));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(digon_33)->DenseRange(8, 32, 8)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(digon_33)->ArgName("L")->DenseRange(8, 32, 8)->Unit(benchmark::kMillisecond)->Complexity();
 
 // And in a hexagon with a 5-5 pair?
 void hexagon_55(benchmark::State& state) {
   time_search(state, regular_polygon(6, state.range(0), {5, 5}));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(hexagon_55)->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(hexagon_55)->ArgName("L")->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
 
 // And in a four-sided region with a 3-5 pair?
 void quad_35(benchmark::State& state) {
@@ -45,14 +45,14 @@ void quad_35(benchmark::State& state) {
   time_search(state, search_problem({side, side - 2, side + 2, side}, {3, 5}));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(quad_35)->DenseRange(6, 15, 3)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(quad_35)->ArgName("L")->DenseRange(6, 15, 3)->Unit(benchmark::kMillisecond)->Complexity();
 
 // And in a triangle with three irregular vertices?
 void triangle_335(benchmark::State& state) {
   time_search(state, regular_polygon(3, state.range(0), {3, 3, 5}));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(triangle_335)->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(triangle_335)->ArgName("L")->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
 
 // And where there is no corner to start at, up to F faces?
 void without_corners(benchmark::State& state) {
@@ -61,7 +61,7 @@ void without_corners(benchmark::State& state) {
   time_search(state, {std::vector<int>(10, 2), {3, 3, 3, 3}}, limits);
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(without_corners)->DenseRange(20, 40, 10)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(without_corners)->ArgName("faces")->DenseRange(20, 40, 10)->Unit(benchmark::kMillisecond)->Complexity();
 
 // How many more states are visited without a pruning rule (0 Gauss-Bonnet, 1 parity, 2 face bound)?
 void without_rule(benchmark::State& state, const SearchProblem& problem, int faces) {
@@ -78,18 +78,23 @@ void without_rule(benchmark::State& state, const SearchProblem& problem, int fac
   state.counters["times_more"] = static_cast<double>(without.states) / static_cast<double>(with.states);
 }
 BENCHMARK_CAPTURE(without_rule, digon_33, regular_polygon(2, 12, {3, 3}), 144)
+    ->ArgName("rule")
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(without_rule, hexagon_55, regular_polygon(6, 5, {5, 5}), 80)
+    ->ArgName("rule")
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(without_rule, triangle_335, regular_polygon(3, 6, {3, 3, 5}), 40)
+    ->ArgName("rule")
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(without_rule, no_corners, SearchProblem{std::vector<int>(10, 2), {3, 3, 3, 3}}, 30)
+    ->ArgName("rule")
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(without_rule, concave, SearchProblem{{3, 3, 1, 3, 3, 1}, {2, 3, 3, 3, 3}}, 14)
+    ->ArgName("rule")
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 
@@ -100,7 +105,8 @@ void octahedrites(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(search_spheres(std::vector<int>(8, 3), static_cast<int>(state.range(0)), limits));
   }
+  state.SetComplexityN(state.range(0));
 }
-BENCHMARK(octahedrites)->Arg(16)->Arg(20)->Arg(24)->Unit(benchmark::kMillisecond);
+BENCHMARK(octahedrites)->ArgName("vertices")->DenseRange(16, 24, 4)->Unit(benchmark::kMillisecond)->Complexity();
 
 }  // namespace

@@ -9,12 +9,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
 
 #include "bench/kernel.hpp"
 #include "mesh/basic_operations.hpp"
+#include "mesh/geometry.hpp"
 #include "mesh/signature.hpp"
 
 namespace requad::bench {
@@ -30,6 +33,18 @@ inline FaceList torus_faces(int n) {
     for (int j = 0; j < n; ++j) faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
   }
   return faces;
+}
+
+// Where its vertices lie in space.
+inline mesh::Positions torus_positions(int n) {
+  mesh::Positions positions;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double s = 2 * std::numbers::pi * i / n, t = 2 * std::numbers::pi * j / n;
+      positions.emplace_back((3 + std::cos(t)) * std::cos(s), (3 + std::cos(t)) * std::sin(s), std::sin(t));
+    }
+  }
+  return positions;
 }
 
 // Ends of half-edges in random order, four quads apart, so that what is done at one leaves the others alone. Every

@@ -1,0 +1,49 @@
+// What the second core is worth: one search, and one sweep of regions, with one thread and with two. Real time.
+
+#include <benchmark/benchmark.h>
+
+#include "enumerate/search.hpp"
+#include "verify/campaign.hpp"
+
+namespace {
+
+using namespace requad;
+
+void one_and_two(benchmark::internal::Benchmark* b) {
+  b->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+// How much faster is one large search?
+void search_threads(benchmark::State& state) {
+  enumerate::SearchLimits limits;
+  limits.threads = static_cast<int>(state.range(0));
+  const enumerate::SearchProblem problem = enumerate::search_problem({14, 14, 14}, {3, 3, 5});
+  std::int64_t states = 0;
+  for (auto _ : state) states = enumerate::search(problem, limits, {}).states;
+  state.SetItemsProcessed(state.iterations() * states);
+}
+BENCHMARK(search_threads)->Apply(one_and_two);
+
+// How much faster is the exploration of many regions, with every claim about them judged?
+void sweep_threads(benchmark::State& state) {
+  verify::Ranges ranges;
+  ranges.digon = {3, 20};
+  ranges.hexagon = {3, 8};
+  ranges.quad_perimeter = {8, 16};
+  const verify::CaseList list = verify::list_cases(
+      ranges, {verify::Family::regular_digon, verify::Family::regular_hexagon, verify::Family::quad});
+  std::vector<const verify::Claim*> claims;
+  for (const verify::Claim& claim : verify::claims()) claims.push_back(&claim);
+  verify::Running running;
+  running.threads = static_cast<int>(state.range(0));
+  running.quiet = true;
+  for (auto _ : state) {
+    for (const auto& result : verify::run_campaign(claims, list, {verify::Method::moves}, running).claims) {
+      if (result.violation) state.SkipWithError("a claim fails");
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.cases.size()));
+}
+BENCHMARK(sweep_threads)->Apply(one_and_two);
+
+}  // namespace
