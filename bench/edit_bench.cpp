@@ -12,6 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/regions.hpp"
+#include "bench/require.hpp"
 #include "bench/subjects.hpp"
 #include "mesh/atomic_operations.hpp"
 #include "mesh/complementary.hpp"
@@ -95,7 +96,7 @@ void atomic_move_and_back(benchmark::State& state) {
   for (auto _ : state) {
     const mesh::AtomicReport made = perform(scene.editor, there);
     const mesh::AtomicReport back = perform(scene.editor, made.inverse);
-    if (back.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    require(back.refusal == mesh::Refusal::none, "an operation was refused");
     there = back.inverse;
     scene.editor.forget();
   }
@@ -116,7 +117,7 @@ void pair_move_and_back(benchmark::State& state) {
   for (auto _ : state) {
     const mesh::MoveReport there = move_pair(scene.editor, move);
     const mesh::MoveReport back = move_pair(scene.editor, there.inverse);
-    if (back.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    require(back.refusal == mesh::Refusal::none, "an operation was refused");
     move = back.inverse;
     operations = there.operations.size();
     scene.editor.forget();
@@ -154,7 +155,7 @@ void courier_journey(benchmark::State& state, bool new_courier) {
     } else {
       journey = kept.carry(start, targets);
     }
-    if (journey.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    require(journey.refusal == mesh::Refusal::none, "an operation was refused");
     scene.editor.roll_back();
   }
   count_quads(state, scene.mesh);
@@ -176,7 +177,7 @@ void cancel_and_roll_back(benchmark::State& state) {
   mesh::Cancellation result;
   for (auto _ : state) {
     result = cancel_pair(start.scene.editor, courier, start.alone, start.five, {start.three});
-    if (result.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    require(result.refusal == mesh::Refusal::none, "an operation was refused");
     start.scene.editor.roll_back();
   }
   count_quads(state, start.scene.mesh);
@@ -202,7 +203,7 @@ void first_split(benchmark::State& state) {
     state.ResumeTiming();
     const mesh::Applied done =
         scene->editor.run({mesh::BasicOperation::Kind::split, inner, QuadMesh::previous(inner), 0});
-    if (done.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+    require(done.refusal == mesh::Refusal::none, "an operation was refused");
   }
   count_quads(state, untouched.mesh);
   state.SetComplexityN(untouched.mesh.face_count());
@@ -238,7 +239,7 @@ void reduce_disturbed_torus(benchmark::State& state) {
     Scene scene(disturbed.mesh, disturbed.positions);
     state.ResumeTiming();
     report = mesh::reduce(scene.editor, {});
-    if (!report.minimal) state.SkipWithError("not minimal");
+    require(report.minimal, "the reduction is not minimal");
   }
   count_quads(state, disturbed.mesh);
   state.counters["irregular"] = report.before;

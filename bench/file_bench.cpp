@@ -16,7 +16,7 @@ void obj_read_and_write(benchmark::State& state) {
     const mesh::Surface surface = mesh::read_surface(file.path(), false);
     mesh::save_obj(file.copy(), surface.mesh, surface.positions);
   }
-  file.require_same_copy(state);
+  file.require_same_copy();
   count_quads(state);
 }
 BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);

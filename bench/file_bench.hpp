@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/require.hpp"
 #include "bench/subjects.hpp"
 #include "mesh/obj.hpp"
 
@@ -38,12 +39,12 @@ class ObjFile {
 
   std::string path() const { return path_.string(); }
   std::string copy() const { return path_.string() + ".copy.obj"; }
-  void require_same_copy(benchmark::State& state) const {
+  void require_same_copy() const {
     const auto text = [](const std::string& name) {
       std::ifstream in(name, std::ios::binary);
       return std::string(std::istreambuf_iterator<char>(in), {});
     };
-    if (text(path()) != text(copy())) state.SkipWithError("the copy differs");
+    require(text(path()) == text(copy()), "the copy of the file differs");
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/regions.hpp"
+#include "bench/require.hpp"
 #include "mesh/pair_moves.hpp"
 #include "mesh/separatrix.hpp"
 
@@ -42,7 +43,7 @@ void operations(benchmark::State& state, theory::PairType type, PairStep step) {
   there_and_back.insert(there_and_back.end(), report.undo.begin(), report.undo.end());
   for (auto _ : state) {
     for (const mesh::BasicOperation& operation : there_and_back) {
-      if (mesh::apply(start.mesh, operation).refusal != mesh::Refusal::none) state.SkipWithError("refused");
+      require(mesh::apply(start.mesh, operation).refusal == mesh::Refusal::none, "an operation was refused");
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(there_and_back.size()));
@@ -65,7 +66,7 @@ void mover(benchmark::State& state, theory::PairType type, PairStep step) {
   for (auto _ : state) {
     for (const std::size_t end = next + 2; next < end; ++next) {
       const mesh::PairMover::Moved moved = mover.move(round[next]);
-      if (moved.refusal != mesh::Refusal::none) state.SkipWithError("refused");
+      require(moved.refusal == mesh::Refusal::none, "an operation was refused");
       made += moved.operations;
     }
     if (next == round.size()) {

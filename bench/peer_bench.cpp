@@ -241,12 +241,12 @@ void openmesh_read_and_write(benchmark::State& state) {
   std::size_t faces = 0;
   for (auto _ : state) {
     OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits> mesh;
-    if (!OpenMesh::IO::read_mesh(mesh, file.path())) state.SkipWithError("not read");
-    if (!OpenMesh::IO::write_mesh(mesh, file.copy(), OpenMesh::IO::Options::Default, 17))
-      state.SkipWithError("not written");
+    require(OpenMesh::IO::read_mesh(mesh, file.path()), "OpenMesh does not read the file");
+    require(OpenMesh::IO::write_mesh(mesh, file.copy(), OpenMesh::IO::Options::Default, 17),
+            "OpenMesh does not write it");
     faces = mesh.n_faces();
   }
-  if (faces != static_cast<std::size_t>(state.range(0) * state.range(0))) state.SkipWithError("faces are missing");
+  require(faces == static_cast<std::size_t>(state.range(0) * state.range(0)), "OpenMesh lacks faces");
   count_quads(state);
 }
 BENCHMARK(openmesh_read_and_write)->Name("obj_read_and_write/openmesh")->Apply(sides);

@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/regions.hpp"
+#include "bench/require.hpp"
 #include "bench/subjects.hpp"
 #include "enumerate/exploration.hpp"
 #include "enumerate/walk.hpp"
@@ -114,10 +115,8 @@ struct WalkBench {
 void walk_limit(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
   const Operations todo = operations_of_walk(type, bench.table.sides());
-  if (todo.flips + todo.others != enumerate::walk(bench.table, bench.start).operations) {
-    state.SkipWithError("these are not the operations of the walk");
-    return;
-  }
+  require(todo.flips + todo.others == enumerate::walk(bench.table, bench.start).operations,
+          "these are not the operations of the walk");
   // A multiple of 4, as random_sites() has it.
   const int n = std::max(8, static_cast<int>(std::sqrt(static_cast<double>(bench.table.most_faces()))) / 4 * 4);
   KernelSubject subject(n);
@@ -146,7 +145,7 @@ void walk_requad(benchmark::State& state, PairType type) {
   enumerate::WalkResult result;
   for (auto _ : state) {
     result = enumerate::walk(bench.table, bench.start);
-    if (!result.complete()) state.SkipWithError("incomplete");
+    require(result.complete(), "the walk is incomplete");
   }
   state.SetItemsProcessed(state.iterations() * result.operations);
   state.counters["moves"] = static_cast<double>(result.moves);

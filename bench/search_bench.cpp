@@ -2,11 +2,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/require.hpp"
 #include "enumerate/search.hpp"
 
+namespace requad::bench {
 namespace {
 
-using namespace requad::enumerate;
+using namespace enumerate;
 
 SearchProblem regular_polygon(std::int64_t corners, std::int64_t side, std::vector<int> irregular) {
   return search_problem(std::vector<int>(static_cast<std::size_t>(corners), static_cast<int>(side)),
@@ -73,7 +75,7 @@ void without_rule(benchmark::State& state, const SearchProblem& problem, int fac
   const SearchOutcome with = search(problem, limits, {});
   limits.pruning.*kRules[state.range(0)] = false;
   const SearchOutcome without = time_search(state, problem, limits);
-  if (without.by_faces != with.by_faces) state.SkipWithError("a rule changed what was found");
+  require(without.by_faces == with.by_faces, "a rule changed what was found");
   state.counters["states_with"] = static_cast<double>(with.states);
   state.counters["times_more"] = static_cast<double>(without.states) / static_cast<double>(with.states);
 }
@@ -110,3 +112,4 @@ void octahedrites(benchmark::State& state) {
 BENCHMARK(octahedrites)->ArgName("vertices")->DenseRange(16, 24, 4)->Unit(benchmark::kMillisecond)->Complexity();
 
 }  // namespace
+}  // namespace requad::bench

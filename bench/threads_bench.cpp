@@ -2,12 +2,12 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/require.hpp"
 #include "enumerate/search.hpp"
 #include "verify/campaign.hpp"
 
+namespace requad::bench {
 namespace {
-
-using namespace requad;
 
 void one_and_two(benchmark::internal::Benchmark* b) {
   b->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -39,7 +39,7 @@ void sweep_threads(benchmark::State& state) {
   running.quiet = true;
   for (auto _ : state) {
     for (const auto& result : verify::run_campaign(claims, list, {verify::Method::moves}, running).claims) {
-      if (result.violation) state.SkipWithError("a claim fails");
+      require(!result.violation, "a claim fails");
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.cases.size()));
@@ -47,3 +47,4 @@ void sweep_threads(benchmark::State& state) {
 BENCHMARK(sweep_threads)->Apply(one_and_two);
 
 }  // namespace
+}  // namespace requad::bench
