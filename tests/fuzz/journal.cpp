@@ -16,7 +16,7 @@
 
 using namespace requad;
 
-const std::size_t fuzz::kBytesPerByte = 1000;
+const fuzz::Memory fuzz::kMemory{32 << 10, 400};
 
 namespace {
 
