@@ -8,7 +8,7 @@
 
 using namespace requad;
 
-const std::size_t fuzz::kBytesPerByte = 1000;
+const fuzz::Memory fuzz::kMemory{32 << 10, 400};
 
 namespace {
 
@@ -43,10 +43,10 @@ void check_meshes(const std::string& text) {
   }
 }
 
-// The text with one more of what a line at its start counts.
+// The text with one more of what a line at its start counts. Its first words are known, but not the blanks round them.
 std::string with_one_more(std::string text, const std::string& what) {
-  const std::size_t start = text.find("\n" + what + " ") + what.size() + 2;
-  const std::size_t end = text.find('\n', start);
+  const std::size_t start = text.find_first_of("0123456789", text.find(what));
+  const std::size_t end = text.find_first_not_of("0123456789", start);
   return text.replace(start, end - start, std::to_string(std::stoi(text.substr(start, end - start)) + 1));
 }
 

@@ -12,7 +12,8 @@
 using namespace requad;
 using program::Options;
 
-const std::size_t fuzz::kBytesPerByte = 3000;
+// A boundary may have ten thousand vertices, however short its text.
+const fuzz::Memory fuzz::kMemory{256 << 10, 400};
 
 namespace {
 

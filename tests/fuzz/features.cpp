@@ -3,7 +3,7 @@
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/open_cube.hpp"
 
-const std::size_t requad::fuzz::kBytesPerByte = 200;
+const requad::fuzz::Memory requad::fuzz::kMemory{32 << 10, 100};
 
 void requad::fuzz::try_input(std::string_view text) {
   mesh::FeatureEdges edges;

@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   most = before;
   try_input({reinterpret_cast<const char*>(data), size});  // NOLINT: bytes are what libFuzzer gives
   const auto used = static_cast<std::size_t>(most - before);
-  const std::size_t allowed = kFixedBytes + kBytesPerByte * size;
+  const std::size_t allowed = kMemory.fixed + kMemory.per_byte * size;
   require(used <= allowed, "an input of " + std::to_string(size) + " bytes took " + std::to_string(used) +
                                " bytes; allowed are " + std::to_string(allowed));
   return 0;

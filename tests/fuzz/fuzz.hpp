@@ -1,6 +1,6 @@
 // What the fuzz targets share: what an input may come to, and how much memory it may take.
 //
-// A target is one source that defines try_input() and kBytesPerByte; fuzz.cpp hands it libFuzzer's inputs. An input
+// A target is one source that defines try_input() and kMemory; fuzz.cpp hands it libFuzzer's inputs. An input
 // either is accepted, and then the target checks what came of it, or it is refused by an exception that a program
 // prints as one line. Whatever else happens ends the process, and libFuzzer keeps the input: a check that fails,
 // another exception, what the sanitizers find, more memory than is allowed, or no end.
@@ -18,9 +18,12 @@ namespace requad::fuzz {
 
 // The target's: reads the text and checks what comes of it. The text ends where its memory does.
 void try_input(std::string_view text);
-// How many bytes the target may have in use at a time for each byte of input, beside kFixedBytes.
-extern const std::size_t kBytesPerByte;
-inline constexpr std::size_t kFixedBytes = std::size_t{1} << 18U;
+// How many bytes it may have in use at a time: some, and some more for each byte of input.
+struct Memory {
+  std::size_t fixed;
+  std::size_t per_byte;
+};
+extern const Memory kMemory;
 
 // Ends the process with this line unless the fact holds.
 void require(bool holds, std::string_view otherwise);

@@ -11,7 +11,7 @@
 using namespace requad;
 using namespace requad::mesh;
 
-const std::size_t fuzz::kBytesPerByte = 500;
+const fuzz::Memory fuzz::kMemory{32 << 10, 200};
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "mesh/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
-const std::size_t requad::fuzz::kBytesPerByte = 1000;
+const requad::fuzz::Memory requad::fuzz::kMemory{32 << 10, 400};
 
 void requad::fuzz::try_input(std::string_view text) {
   using mesh::Orientation;
