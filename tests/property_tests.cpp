@@ -17,6 +17,7 @@
 
 #include "enumerate/generators.hpp"
 #include "mesh/features.hpp"
+#include "mesh/polygon_file.hpp"
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
 #include "tests/catch.hpp"
@@ -55,7 +56,7 @@ BasicOperation operation_at(const QuadMesh& m, const Draw& draw) {
   return op;
 }
 
-// Where a case starts: a region of the census, a torus, the sphere of a cube, a grid, all of these several times over.
+// Where a case starts: a region of the census, a torus, the sphere of a cube, a grid, a mesh from a file.
 struct Start {
   std::string name;
   QuadMesh mesh;
@@ -67,6 +68,9 @@ const std::vector<Start>& starts() {
                             {"torus 5 4", tests::torus(5, 4)},
                             {"grid 1 1", tests::grid(1, 1).mesh},
                             {"grid 4 3", tests::grid(4, 3).mesh}};
+    for (const std::string name : {"figure-16", "figure-17", "figure-18"}) {
+      list.push_back({name, read_surface(REQUAD_SOURCE_DIR "/mesh/examples/" + name + ".obj", false).mesh});
+    }
     int n = 0;
     for (const auto& entry : tests::census(12, true)) {
       if (++n % 7 == 0) list.push_back({"region " + signature(entry.region), entry.region.mesh});
