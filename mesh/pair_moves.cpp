@@ -51,36 +51,6 @@ Extents after(const QuadMesh& m, const PairMove& move) {
   return {-1, -1};
 }
 
-// The reason why_not() gives for a step whose next ends are regular vertices (of a split, the next v), by what is known of
-// them: all four vertices are interior, and only those beside the courier can be short of edges or joined already.
-inline Refusal why_not_step(const QuadMesh& m, const PlannedStep& step, CourierPlace courier) {
-  const auto neighbour_of_u = [&m, first = courier.at_u()](VertexId x) {
-    HalfEdgeId h = first;
-    do {
-      if (m.target(h) == x) return true;
-      h = m.ccw(h);
-    } while (h != first);
-    return false;
-  };
-  const VertexId u = courier.u(m);
-  if (step.operation.kind == BasicOperation::Kind::split) return Refusal::none;  // its sector was walked by the plan
-  const HalfEdgeId at_v = courier.at_v();
-  if (m.ccw(m.ccw(at_v)) == at_v) return Refusal::valence_too_low;
-  if (step.operation.kind != BasicOperation::Kind::collapse) {
-    // The edge between v and the next u turns, to join u and the next v.
-    return u == step.next_v || neighbour_of_u(step.next_v) ? Refusal::edge_exists : Refusal::none;
-  }
-  // u and the next v, across the face, become one: no edge between them, no neighbours in common but v and the next u.
-  if (neighbour_of_u(step.next_v)) return Refusal::edge_exists;
-  const VertexId v = courier.v(m);
-  HalfEdgeId h = step.at_v;
-  for (int i = 0; i < 4; ++i, h = m.ccw(h)) {
-    const VertexId x = m.target(h);
-    if (x != v && x != step.next_u && neighbour_of_u(x)) return Refusal::edge_exists;
-  }
-  return Refusal::none;
-}
-
 // Performs on a mesh alone and remembers nothing but what was done.
 class OnMesh {
  public:
@@ -91,13 +61,6 @@ class OnMesh {
     const Applied done = apply(mesh_, op);
     if (done.refusal == Refusal::none) log_.push_back(done);
     return done;
-  }
-  // A step between regular vertices, both ends of the courier interior.
-  Applied run(const PlannedStep& step, CourierPlace courier) {
-    const Refusal refusal = why_not_step(mesh_, step, courier);
-    if (refusal != Refusal::none) return {refusal, {}, {}};
-    log_.push_back(apply_unchecked(mesh_, step.operation));
-    return log_.back();
   }
   void roll_back() {
     for (; !log_.empty(); log_.pop_back()) apply_unchecked(mesh_, log_.back().inverse);
@@ -115,7 +78,6 @@ class OnEditor {
 
   const QuadMesh& mesh() const { return editor_.mesh(); }
   Applied run(const BasicOperation& op) { return editor_.run(op); }
-  Applied run(const PlannedStep& step, CourierPlace) { return editor_.run(step.operation); }
   void roll_back() { editor_.roll_back(start_); }
 
  private:
@@ -199,21 +161,19 @@ class Passage {
     return false;
   }
 
-  // What the courier would find where it lands: nothing to mind, what it may change for all that, or a reason to refuse.
-  enum class Landing { regular, kept, refused };
-  Landing landing(HalfEdgeId h) {
+  // Whether the courier may land there: at a regular vertex, or at one that may be irregular for now.
+  bool can_land(HalfEdgeId h) {
     if (!h.valid()) {
       refuse(Refusal::touches_boundary);
-      return Landing::refused;
+    } else if (!is_regular_at(m_, h)) {
+      const VertexId v = m_.origin(h);
+      if (m_.is_boundary(v)) {
+        refuse(Refusal::touches_boundary);
+      } else if (!is_kept(v) && v != v3() && v != v5()) {
+        refuse(Refusal::irregular_in_the_way);
+      }
     }
-    if (is_regular_at(m_, h)) return Landing::regular;
-    const VertexId v = m_.origin(h);
-    if (m_.is_boundary(v)) {
-      refuse(Refusal::touches_boundary);
-    } else if (!is_kept(v) && v != v3() && v != v5()) {
-      refuse(Refusal::irregular_in_the_way);
-    }
-    return refused() ? Landing::refused : Landing::kept;
+    return !refused();
   }
 
   // The loop is made for each way and hand, so that the plan is but a few loads.
@@ -222,9 +182,7 @@ class Passage {
     constexpr bool kSplits = way == CourierStep::Way::split;
     for (int i = 0; i < times && !refused(); ++i) {
       const PlannedStep planned = planned_step(m_, at_, {way, hand}, turn);
-      const Landing at_u = kSplits ? Landing::regular : landing(planned.at_u);
-      const Landing at_v = at_u == Landing::refused ? Landing::refused : landing(planned.at_v);
-      if (at_v == Landing::refused) return;
+      if ((!kSplits && !can_land(planned.at_u)) || !can_land(planned.at_v)) return;
       if (operations_ == 0) {
         const auto changed = why_not(m_, planned.operation) == Refusal::none
                                  ? changed_vertices(m_, planned.operation)
@@ -233,8 +191,7 @@ class Passage {
       } else {
         last_u_ = v3();
         last_v_ = v5();
-        const bool regular = at_u == Landing::regular && at_v == Landing::regular && turn == 2;
-        if (!note(regular ? performer_.run(planned, at_) : performer_.run(planned.operation))) return;
+        if (!note(performer_.run(planned.operation))) return;
       }
       at_ = planned.next;
     }
