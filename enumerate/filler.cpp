@@ -335,21 +335,22 @@ void Filler::take_back() {
 void Filler::look_at_limits() {
   if (shared_->deadline && SharedLimits::Clock::now() > *shared_->deadline) shared_->stop = true;
   if (shared_->progress) shared_->progress(kStatesBetweenLooks);
+  if (sharing_ != nullptr && sharing_->wanted.load(std::memory_order_relaxed)) shares_ = true;
 }
 
 void Filler::open_level() {
   levels_.back().first_move = static_cast<int>(moves_.size());
   if (hole_ == kNone) {
     if (budget_.empty() && *visit_) (*visit_)(filling_);
-  } else if (fork_ != nullptr && filling_.faces.size() >= fork_at_) {
-    (*fork_)(*this);
+  } else if (shares_) {
+    sharing_->take(*this);
   } else if (!shared_->stop) {
     list_moves();
   }
 }
 
-std::int64_t Filler::run(const Visit& visit, int fork_at, const Fork* fork) {
-  visit_ = &visit, fork_at_ = static_cast<std::size_t>(fork_at), fork_ = fork;
+std::int64_t Filler::run(const Visit& visit, Sharing* sharing) {
+  visit_ = &visit, sharing_ = sharing, shares_ = false;
   states_ = 0;
   moves_.clear();
   levels_.assign(1, {});

@@ -80,7 +80,11 @@ struct SharedLimits {
 class Filler {
  public:
   using Visit = std::function<void(const Filling&)>;
-  using Fork = std::function<void(const Filler&)>;
+  // Takes partial meshes off a search that is under way, whenever it is wanted.
+  struct Sharing {
+    std::atomic<bool> wanted{false};
+    std::function<void(const Filler&)> take;
+  };
 
   Filler(const std::vector<int>& irregular, SharedLimits& shared);
 
@@ -96,9 +100,9 @@ class Filler {
   // False if it can not be filled.
   bool open_hole(const std::vector<BoundaryVertex>& boundary);
 
-  // Calls visit for each filling. With a fork, partial meshes of `fork_at` faces are handed to it instead of being
-  // followed. Returns the number of quads placed.
-  std::int64_t run(const Visit& visit, int fork_at = 0, const Fork* fork = nullptr);
+  // Calls visit for each filling. When sharing is wanted, all partial meshes that are left to follow, few of them at each
+  // depth, are handed over instead; that is looked at now and then. Returns the number of quads placed.
+  std::int64_t run(const Visit& visit, Sharing* sharing = nullptr);
 
  private:
   static constexpr int kNone = -1;
@@ -208,8 +212,8 @@ class Filler {
   std::vector<Level> levels_;
   std::int64_t states_ = 0;
   const Visit* visit_ = nullptr;
-  std::size_t fork_at_ = 0;
-  const Fork* fork_ = nullptr;
+  Sharing* sharing_ = nullptr;
+  bool shares_ = false;  // what is left
 };
 
 }  // namespace requad::enumerate

@@ -1,7 +1,7 @@
 #include "enumerate/search.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <condition_variable>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -15,16 +15,71 @@ namespace requad::enumerate {
 
 namespace {
 
-// Runs a prepared filler on several threads: branches are shared out where they have placed a few faces.
-std::int64_t run_parallel(const Filler& start, int faces_before, int threads, const Filler::Visit& visit) {
-  Filler first = start;
-  if (threads == 1) return first.run(visit);
-  constexpr int kFacesBeforeForking = 7;
-  std::vector<Filler> branches;
-  const Filler::Fork fork = [&branches](const Filler& filler) { branches.push_back(filler); };
-  std::atomic<std::int64_t> states{first.run(visit, faces_before + kFacesBeforeForking, &fork)};
-  run_on_threads(branches.size(), threads, [&](std::size_t i) { states += branches[i].run(visit); });
-  return states;
+// Runs a prepared filler on several threads. The first one starts alone; whoever has nothing to do waits for what the
+// others hand over of theirs. Their parts differ by orders of magnitude, so none could be cut to size beforehand.
+class ParallelRun {
+ public:
+  ParallelRun(const Filler& start, const Filler::Visit& visit) : visit_(visit) {
+    waiting_.push_back(start);
+    sharing_.take = [this](const Filler& part) {
+      const std::scoped_lock lock(mutex_);
+      waiting_.push_back(part);
+      sharing_.wanted = false;
+      changed_.notify_one();
+    };
+  }
+
+  std::int64_t run(int threads) {
+    const auto workers = static_cast<std::size_t>(thread_count(threads));
+    run_on_threads(workers, threads, [this](std::size_t) { work(); });
+    return states_;
+  }
+
+ private:
+  void work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      if (!waiting_.empty()) {
+        // The one that came last is the nearest to the root. A copy of this thread's own: what two threads write lies apart.
+        Filler part = waiting_.back();
+        waiting_.pop_back();
+        ++running_;
+        lock.unlock();
+        std::int64_t states = 0;
+        try {
+          states = part.run(visit_, &sharing_);
+        } catch (...) {  // out of a visit: the others must not wait for this one
+          end_part(lock, 0);
+          throw;
+        }
+        end_part(lock, states);
+      } else if (running_ == 0) {
+        return;
+      } else {
+        sharing_.wanted = true;
+        changed_.wait(lock);
+      }
+    }
+  }
+
+  void end_part(std::unique_lock<std::mutex>& lock, std::int64_t states) {
+    lock.lock();
+    states_ += states;
+    if (--running_ == 0) changed_.notify_all();
+  }
+
+  const Filler::Visit& visit_;
+  Filler::Sharing sharing_;
+  std::mutex mutex_;  // of all below
+  std::condition_variable changed_;
+  std::vector<Filler> waiting_;
+  int running_ = 0;
+  std::int64_t states_ = 0;
+};
+
+std::int64_t run_parallel(const Filler& start, int threads, const Filler::Visit& visit) {
+  if (thread_count(threads) == 1) return Filler(start).run(visit);
+  return ParallelRun(start, visit).run(threads);
 }
 
 constexpr std::size_t kMostBoundary = 10000;
@@ -94,7 +149,7 @@ SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
   int index = 4;
   for (const int quads : problem.interior_quads) index -= 2 - quads;
   for (const int l : problem.irregular) index -= 4 - l;
-  if (index == 0 && filler.open_hole(boundary)) outcome.states = run_parallel(filler, 0, limits.threads, record);
+  if (index == 0 && filler.open_hole(boundary)) outcome.states = run_parallel(filler, limits.threads, record);
   outcome.face_limit_cut = shared.face_limit_cut;
   outcome.out_of_time = shared.stop;
   return outcome;
@@ -180,7 +235,7 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
         filler.add_face(corner);
         if (filler.open_hole(
                 {{corner[0], rarest - 1}, {corner[3], l3 - 1}, {corner[2], l2 - 1}, {corner[1], l1 - 1}})) {
-          outcome.states += run_parallel(filler, 1, limits.threads, record);
+          outcome.states += run_parallel(filler, limits.threads, record);
         }
       }
     }

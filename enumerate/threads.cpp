@@ -28,10 +28,15 @@ struct Order {
 
 }  // namespace
 
+int thread_count(int threads) {
+  return threads > 0 ? threads
+                     : static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 void run_on_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
   std::optional<tbb::global_control> limit;
   if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  const std::size_t workers = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const auto workers = static_cast<std::size_t>(thread_count(threads));
   std::atomic<std::size_t> next{0};
   Order start, end;
   start.release();

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 
 #include "enumerate/search.hpp"
 #include "mesh/signature.hpp"
@@ -278,6 +279,19 @@ TEST_CASE("threads and limits do not change what is found", "[search]") {
   const CountedSearch a = count_fillings(problem, one, true), b = count_fillings(problem, two, true);
   CHECK(a.signatures == b.signatures);
   CHECK(a.outcome.by_faces == b.outcome.by_faces);
+  // Long enough for work to change hands many times, and more threads than there is work.
+  for (const int threads : {2, 3, 8}) {
+    SearchLimits many;
+    many.threads = threads;
+    const SearchProblem larger = search_problem({9, 9, 9}, {3, 3, 5});
+    const SearchOutcome by_one = search(larger, one, {}), by_many = search(larger, many, {});
+    CHECK(by_many.by_faces == by_one.by_faces);
+    CHECK(by_many.states == by_one.states);
+  }
+  // An exception out of a visit ends all threads, and comes through.
+  SearchLimits four;
+  four.threads = 4;
+  CHECK_THROWS_AS(search(problem, four, [](const Filling&) { throw std::domain_error("enough"); }), std::domain_error);
   // Up to a face limit the numbers by faces are exact.
   SearchLimits limited = one;
   limited.faces = 20;
