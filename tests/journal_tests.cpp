@@ -133,6 +133,12 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   spill(path, whole + whole.substr(second));
   CHECK(refusal(path, "run a") == "--journal: " + path + ": line 4: case 3 stands here twice");
 
+  // A case is an integer: checksums are right here, numbers are not.
+  for (const auto& [text, sum] : {std::pair{"{\"case\":1e20,\"result\":0}", "f9ee0582"}, std::pair{"{\"case\":-1,\"result\":0}", "a945e3da"}}) {
+    spill(path, whole.substr(0, second) + sum + " " + text + "\n");
+    CHECK(refusal(path, "run a").find("line 2: it is no record: no integer") != std::string::npos);
+  }
+
   // Files that are something else are left alone.
   for (const std::string text : {"x", "hello\n", "a\nb\n"}) {
     spill(path, text);

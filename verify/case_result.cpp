@@ -59,8 +59,22 @@ ordered_json region_json(const mesh::Region& region) {
 
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
-// An integer in low..high. (The library converts any number to any type, whether it fits or not.)
-std::int64_t integer(const ordered_json& json, std::int64_t low, std::int64_t high) {
+mesh::Region region_from(const ordered_json& json) {
+  std::vector<std::array<int, 4>> faces;
+  const auto corners = static_cast<std::int64_t>(4 * json.at("faces").size());
+  for (const ordered_json& face : json["faces"]) {
+    if (face.size() != 4) throw std::invalid_argument("a face has " + std::to_string(face.size()) + " corners");
+    std::array<int, 4>& quad = faces.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) quad[k] = static_cast<int>(integer_from(face.at(k), 0, corners));
+  }
+  // Each vertex has a face.
+  return {mesh::QuadMesh::from_faces(static_cast<int>(integer_from(json.at("vertices"), 0, corners)), faces),
+          mesh::HalfEdgeId(static_cast<std::int32_t>(integer_from(json.at("root"), 0, corners - 1)))};
+}
+
+}  // namespace
+
+std::int64_t integer_from(const ordered_json& json, std::int64_t low, std::int64_t high) {
   // What is not negative, the parser keeps without a sign.
   const bool fits = json.is_number_integer() && (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
   const auto value = fits ? json.get<std::int64_t>() : 0;
@@ -68,21 +82,6 @@ std::int64_t integer(const ordered_json& json, std::int64_t low, std::int64_t hi
     throw std::invalid_argument("no integer in " + std::to_string(low) + ".." + std::to_string(high));
   return value;
 }
-
-mesh::Region region_from(const ordered_json& json) {
-  std::vector<std::array<int, 4>> faces;
-  const auto corners = static_cast<std::int64_t>(4 * json.at("faces").size());
-  for (const ordered_json& face : json["faces"]) {
-    if (face.size() != 4) throw std::invalid_argument("a face has " + std::to_string(face.size()) + " corners");
-    std::array<int, 4>& quad = faces.emplace_back();
-    for (std::size_t k = 0; k < 4; ++k) quad[k] = static_cast<int>(integer(face.at(k), 0, corners));
-  }
-  // Each vertex has a face.
-  return {mesh::QuadMesh::from_faces(static_cast<int>(integer(json.at("vertices"), 0, corners)), faces),
-          mesh::HalfEdgeId(static_cast<std::int32_t>(integer(json.at("root"), 0, corners - 1)))};
-}
-
-}  // namespace
 
 // Claims that say nothing about the region are left out: most of them, mostly.
 ordered_json to_json(const CaseResult& result) {
@@ -109,10 +108,10 @@ CaseResult case_result(const ordered_json& json, std::size_t claims) {
   result.judgements.assign(claims, not_applicable());
   result.seconds.assign(claims, 0);
   for (const ordered_json& entry : json.at("claims")) {
-    const auto i = static_cast<std::size_t>(integer(entry.at("claim"), 0, static_cast<std::int64_t>(claims) - 1));
+    const auto i = static_cast<std::size_t>(integer_from(entry.at("claim"), 0, static_cast<std::int64_t>(claims) - 1));
     Judgement& j = result.judgements[i];
     j.applies = true;
-    j.checks = integer(entry.at("checks"), 0, kMost);
+    j.checks = integer_from(entry.at("checks"), 0, kMost);
     if (entry.contains("row")) j.row = entry["row"];
     if (entry.contains("violation")) {
       const ordered_json& v = entry["violation"];

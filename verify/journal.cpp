@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -94,7 +95,8 @@ void Journal::read(const std::string& run, std::size_t cases, std::size_t claims
         if (record.at("requad-verify journal").get<std::string>() != run)
           refuse(line, "it belongs to another run: " + record["requad-verify journal"].get<std::string>());
       } else {
-        const auto index = record.at("case").get<std::size_t>();
+        constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+        const auto index = static_cast<std::size_t>(integer_from(record.at("case"), 0, kMost));
         if (index >= cases) refuse(line, "there is no case " + std::to_string(index));
         if (!results_.emplace(index, case_result(record.at("result"), claims)).second)
           refuse(line, "case " + std::to_string(index) + " stands here twice");
