@@ -168,7 +168,7 @@ void Canvas::arc(Point centre, double radius, double from, double to, const Stro
   cairo_stroke(context_);
 }
 
-void Canvas::arrow(Point from, Point to, const Stroke& stroke, double head) {
+void Canvas::arrow(const Point& from, const Point& to, const Stroke& stroke, double head) {
   const Point along = (to - from).normalized();
   const Point across(-along.y(), along.x());
   this->stroke({{from, to - 0.7 * head * along}}, stroke);

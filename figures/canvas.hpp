@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-struct _cairo;  // cairo_t, so that users of this header need no Cairo
+struct _cairo;  // cairo_t, so that users of this header need no Cairo. NOLINT(bugprone-reserved-identifier): its own name
 
 namespace requad::figures {
 
@@ -47,7 +47,7 @@ class Canvas {
   // Part of a circle, counter-clockwise from one angle (radians) to another.
   void arc(Point centre, double radius, double from, double to, const Stroke& stroke);
   // A line with a head at its end.
-  void arrow(Point from, Point to, const Stroke& stroke, double head = 6);
+  void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 6);
   // UTF-8; "_" sets the next character, or the next ones in braces, lower: "E_1", "e_{12}". `at` is the baseline's
   // left, middle or right; a capital is about 0.7 `size` high.
   void text(Point at, const std::string& words, double size, Colour colour = {}, Anchor anchor = Anchor::centre);

@@ -105,7 +105,7 @@ Paint paint_dual(const GridFigure& figure) {
     constexpr double kLevel = 54;  // points between levels
     const int quadrants = figure.grids.at(0).type.rotation_count();
     const auto angle = [quadrants](const theory::Configuration& c) {
-      const double level = static_cast<double>(c.d1() + c.d2());
+      const auto level = static_cast<double>(c.d1() + c.d2());
       return 2 * std::numbers::pi * (0.25 - (c.p - static_cast<double>(c.d2()) / level) / quadrants);
     };
     for (const GridEdge& edge : figure.edges) {

@@ -31,7 +31,7 @@ struct Unfinished {
   std::string path;  // "" if there is none
 };
 Unfinished& unfinished() {
-  static Unfinished* const it = new Unfinished;
+  static auto* const it = new Unfinished;
   return *it;
 }
 

@@ -24,7 +24,7 @@ class Surroundings {
     for (const VertexId v : sources) {
       if (distance_[v.slot()] < 0) meet(v, 0);
     }
-    for (std::size_t i = 0; i < met_.size(); ++i) {
+    for (std::size_t i = 0; i < met_.size(); ++i) {  // NOLINT(modernize-loop-convert): it grows
       const VertexId v = met_[i];
       const int d = distance_[v.slot()];
       if (done(v, d)) return;

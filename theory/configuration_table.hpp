@@ -42,7 +42,7 @@ class ConfigurationTable {
   std::size_t bytes() const { return number_.capacity() * sizeof(number_[0]); }
 
   // The number of a configuration by its canonical place (d2 = 0 rather than d1 = 0); -1 if there is none. O(1).
-  int find(const Place& canonical) const;
+  int find(const Place& place) const;
 
   // Moves. A pair has kStepCount slots, the merged one rotation_count().
   struct Move {
