@@ -66,7 +66,7 @@ void one_rings_requad(benchmark::State& state) {
 }
 BENCHMARK(one_rings_requad)->Name("one_rings/requad")->Apply(sides);
 
-const int registered = [] {
+const int registered_operations = [] {
   register_operations<KernelSubject>();
   register_operations<RequadSubject<false>>();
   register_operations<RequadSubject<true>>();

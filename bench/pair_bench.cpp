@@ -80,7 +80,7 @@ void mover(benchmark::State& state, theory::PairType type, PairStep step) {
   state.SetComplexityN(2 * state.range(0));
 }
 
-const int registered = [] {
+const int registered_pairs = [] {
   for (const theory::PairType type : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
     for (const PairStep step : mesh::kPairSteps) {
       const std::string name = "pair_move/" + type.name() + "/" + mesh::name(step);

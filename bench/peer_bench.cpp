@@ -251,7 +251,7 @@ void openmesh_read_and_write(benchmark::State& state) {
 }
 BENCHMARK(openmesh_read_and_write)->Name("obj_read_and_write/openmesh")->Apply(sides);
 
-const int registered = [] {
+const int registered_peers = [] {
   register_operations<CgalEuler>();
   register_operations<CgalSetters>();
   register_operations<OpenMeshEdges>();

@@ -153,7 +153,7 @@ void walk_requad(benchmark::State& state, PairType type) {
   state.SetComplexityN(state.range(0));
 }
 
-const int registered = [] {
+const int registered_regions = [] {
   const auto add = [](PairType type, std::int64_t least, std::int64_t most) {
     const auto shaped = [least, most](benchmark::internal::Benchmark* b) {
       b->ArgName("L")->Unit(benchmark::kMillisecond)->Complexity(benchmark::oNCubed);

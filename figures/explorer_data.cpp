@@ -74,17 +74,17 @@ int spot_index(PairType type, const Configuration& c, const Configuration& label
   return static_cast<int>(it - spots.begin());
 }
 
-struct Change {
+struct GridStep {
   Integer m = 0;
   Integer n = 0;
 };
 
-std::string text(Change c) {
+std::string text(GridStep c) {
   const auto number = [](Integer x) { return (x > 0 ? "+" : "") + std::to_string(x); };
   return "(" + number(c.m) + "," + number(c.n) + ")";
 }
 
-Change change_of(PairType type, const FoundMove& move) {
+GridStep change_of(PairType type, const FoundMove& move) {
   Configuration before = move.before.value();
   Configuration after = move.after.value();
   if (!type.symmetric()) {
@@ -102,7 +102,7 @@ std::string name_of(PairType type, const Configuration& labelling) {
 }
 
 const char* key_of(PairType type, const Exploration& found, const FoundMove& move) {
-  const Change change = change_of(type, move);
+  const GridStep change = change_of(type, move);
   if (!type.symmetric()) return change.m > 0 ? "right" : change.m < 0 ? "left" : change.n > 0 ? "up" : "down";
   const Configuration& from = found.nodes[static_cast<std::size_t>(move.from)].reading.configuration;
   if (from.merged()) {

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "enumerate/exploration.hpp"
-#include "enumerate/generators.hpp"
 #include "figures/panel.hpp"
 #include "mesh/atomic_operations.hpp"
 #include "mesh/separatrix.hpp"
@@ -59,14 +58,6 @@ Region grid(int columns, int rows) {
 }
 HalfEdgeId grid_edge(const Region& g, int rows, int i, int j, int di, int dj) {
   return g.mesh.find_half_edge(VertexId(i * (rows + 1) + j), VertexId((i + di) * (rows + 1) + j + dj));
-}
-
-// A region with a pair (or, with d1 = d2 = 0, the merged vertex) and these strips.
-Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
-                   const std::vector<theory::Integer>& strips) {
-  theory::Configuration c;
-  c.parameters = {d1, d2, theory::to_vector(strips)};
-  return enumerate::glue_region(type, c);
 }
 
 // The region of a configuration, with the operations made so far: the root may have been renumbered.

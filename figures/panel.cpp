@@ -1,6 +1,15 @@
 #include "figures/panel.hpp"
 
+#include "enumerate/generators.hpp"
+
 namespace requad::figures {
+
+mesh::Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
+                         const std::vector<theory::Integer>& strips) {
+  theory::Configuration c;
+  c.parameters = {d1, d2, theory::to_vector(strips)};
+  return enumerate::glue_region(type, c);
+}
 
 void paint_panel(Canvas& canvas, const Panel& panel, Point centre, double unit, double angle, double text) {
   const MeshPicture picture(panel.region, centre, unit, angle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "figures/mesh_picture.hpp"
+#include "theory/pair_system.hpp"
 
 namespace requad::figures {
 
@@ -21,6 +22,10 @@ struct Panel {
   std::vector<Line> lines = {};
   std::vector<mesh::VertexId> dots = {};  // regular vertices to be seen
 };
+
+// The region with a pair (or, with d1 = d2 = 0, the merged vertex) and these strips; see enumerate::glue_region.
+mesh::Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
+                         const std::vector<theory::Integer>& strips);
 
 inline constexpr Stroke kGreenLine{ink::kGreen, 2.4};
 

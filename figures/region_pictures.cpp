@@ -17,13 +17,6 @@ using mesh::QuadMesh;
 using mesh::Region;
 using mesh::VertexId;
 
-Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
-                   const std::vector<theory::Integer>& strips) {
-  theory::Configuration c;
-  c.parameters = {d1, d2, theory::to_vector(strips)};
-  return enumerate::glue_region(type, c);
-}
-
 void triangle(Canvas& canvas, Point at, bool convex) {
   constexpr double kRadius = 5;
   const double s = convex ? 1 : -1;

@@ -63,8 +63,8 @@ double mean_curvature(const QuadMesh& mesh, const Positions& positions, VertexId
 // Of the live vertices; 0 if there are none. O(V).
 double bounding_box_diagonal(const QuadMesh& mesh, const Positions& positions);
 
-// The nearest point of a surface's triangles, from an R-tree of their boxes. Building O(F log F); a query close to the
-// surface about O(log F), some microseconds. Queries may run in parallel.
+// The nearest point of a surface's triangles, from a tree of their boxes. Building O(F log F); a query close to the
+// surface about O(log F), a microsecond or two. Queries may run in parallel.
 class SurfaceIndex {
  public:
   struct Nearest {

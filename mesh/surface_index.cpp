@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <numeric>
 
 #include <Eigen/Geometry>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
+#include <unsupported/Eigen/BVH>
 
 #include "mesh/geometry.hpp"
 
@@ -16,17 +15,31 @@ using Eigen::Vector3d;
 
 namespace {
 
-namespace bg = boost::geometry;
-namespace bgi = boost::geometry::index;
+using Box = Eigen::AlignedBox3d;
+using BoxTree = Eigen::KdBVH<double, 3, std::size_t>;  // of numbers
 
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
+BoxTree box_tree(const std::vector<Box>& boxes) {
+  std::vector<std::size_t> numbers(boxes.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return {numbers.begin(), numbers.end(), boxes.begin(), boxes.end()};
+}
 
-Point to_point(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
-// The number and what lies under it. Packed (built at once), whose queries are the fastest.
-template <class Shape>
-using PackedTree = bgi::rtree<std::pair<Shape, std::uint32_t>, bgi::rstar<16>>;
+// Visits the numbers below a node whose boxes may hold something within `bound` (a squared distance, which visit lowers),
+// the nearer box of two first. (Eigen's BVMinimize, with a queue of boxes, takes memory for each query.)
+template <class Visit>
+void visit_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const double& bound, const Visit& visit) {
+  BoxTree::VolumeIterator box = nullptr, last_box = nullptr;
+  BoxTree::ObjectIterator number = nullptr, last_number = nullptr;
+  tree.getChildren(node, box, last_box, number, last_number);
+  for (; number != last_number; ++number) visit(*number);
+  std::array<std::pair<double, BoxTree::Index>, 2> below;
+  std::size_t count = 0;
+  for (; box != last_box; ++box) below[count++] = {tree.getVolume(*box).squaredExteriorDistance(p), *box};
+  if (count == 2 && below[1].first < below[0].first) std::swap(below[0], below[1]);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (below[i].first <= bound) visit_nearest(tree, below[i].second, p, bound, visit);
+  }
+}
 
 Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
   const Vector3d ab = b - a;
@@ -62,21 +75,20 @@ Vector3d nearest_on_triangle(const Triangle& t, const Vector3d& p) {
 struct SurfaceIndex::Tree {
   std::vector<Triangle> triangles;
   std::vector<FaceId> faces;  // two triangles each
-  PackedTree<Box> boxes;
+  BoxTree boxes;
 };
 
 SurfaceIndex::SurfaceIndex(const QuadMesh& m, const Positions& positions) {
   auto tree = std::make_unique<Tree>();
   tree->faces = m.faces();
-  std::vector<std::pair<Box, std::uint32_t>> boxes;
+  std::vector<Box> boxes;
   for (const FaceId f : tree->faces) {
     for (const Triangle& t : mesh::triangles(m, positions, f)) {
-      const Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-      boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(tree->triangles.size()));
+      boxes.push_back(Box(t[0]).extend(t[1]).extend(t[2]));
       tree->triangles.push_back(t);
     }
   }
-  tree->boxes = PackedTree<Box>(boxes);
+  tree->boxes = box_tree(boxes);
   tree_ = std::move(tree);
 }
 
@@ -85,40 +97,29 @@ SurfaceIndex::SurfaceIndex(SurfaceIndex&&) noexcept = default;
 SurfaceIndex& SurfaceIndex::operator=(SurfaceIndex&&) noexcept = default;
 
 SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p) const {
-  const Point at = to_point(p);
-  // The k nearest boxes hold the answer if one of them is farther than what was found, or if there are no more. Mostly
-  // 8 are enough. (Boost's incremental query would need no k, but takes memory for all boxes each time.)
-  std::vector<std::pair<Box, std::uint32_t>> candidates;
-  for (std::size_t k = 8;; k *= 4) {
-    candidates.clear();
-    tree_->boxes.query(bgi::nearest(at, static_cast<unsigned>(std::min(k, tree_->triangles.size()))),
-                       std::back_inserter(candidates));
-    Nearest best{p, std::numeric_limits<double>::infinity(), FaceId()};
-    double farthest_box = 0;
-    std::uint32_t best_triangle = 0;
-    for (const auto& [box, number] : candidates) {
-      farthest_box = std::max(farthest_box, bg::comparable_distance(at, box));
-      const Vector3d q = nearest_on_triangle(tree_->triangles[number], p);
-      const double squared = (q - p).squaredNorm();
-      // Of equals the least number, whatever the order in which the tree gives them.
-      if (squared > best.distance || (squared == best.distance && number > best_triangle)) continue;
-      best = {q, squared, tree_->faces[number / 2]};
-      best_triangle = number;
-    }
-    if (farthest_box <= best.distance && k < tree_->triangles.size()) continue;
-    best.distance = std::sqrt(best.distance);
-    return best;
-  }
+  Vector3d best = p;
+  double squared = std::numeric_limits<double>::infinity();
+  std::size_t triangle = 0;
+  visit_nearest(tree_->boxes, tree_->boxes.getRootIndex(), p, squared, [&](std::size_t number) {
+    const Vector3d q = nearest_on_triangle(tree_->triangles[number], p);
+    const double found = (q - p).squaredNorm();
+    // Of equals the least number, whatever the order in which the tree gives them.
+    if (found > squared || (found == squared && number > triangle)) return;
+    best = q;
+    squared = found;
+    triangle = number;
+  });
+  return {best, std::sqrt(squared), tree_->faces[triangle / 2]};
 }
 
 struct PointIndex::Tree {
-  PackedTree<Point> points;
+  std::vector<Vector3d> points;
+  BoxTree boxes;
 };
 
 PointIndex::PointIndex(std::span<const Vector3d> points) {
-  std::vector<std::pair<Point, std::uint32_t>> numbered;
-  for (const Vector3d& p : points) numbered.emplace_back(to_point(p), static_cast<std::uint32_t>(numbered.size()));
-  tree_ = std::make_unique<const Tree>(Tree{PackedTree<Point>(numbered)});
+  const std::vector<Box> boxes(points.begin(), points.end());
+  tree_ = std::make_unique<const Tree>(Tree{{points.begin(), points.end()}, box_tree(boxes)});
 }
 
 PointIndex::~PointIndex() = default;
@@ -126,10 +127,15 @@ PointIndex::PointIndex(PointIndex&&) noexcept = default;
 PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 
 Vector3d PointIndex::nearest(const Vector3d& p) const {
-  std::array<std::pair<Point, std::uint32_t>, 1> found;
-  tree_->points.query(bgi::nearest(to_point(p), 1), found.begin());
-  const Point& q = found[0].first;
-  return {q.get<0>(), q.get<1>(), q.get<2>()};
+  std::size_t best = 0;
+  double squared = std::numeric_limits<double>::infinity();
+  visit_nearest(tree_->boxes, tree_->boxes.getRootIndex(), p, squared, [&](std::size_t number) {
+    const double found = (tree_->points[number] - p).squaredNorm();
+    if (found > squared || (found == squared && number > best)) return;
+    best = number;
+    squared = found;
+  });
+  return tree_->points[best];
 }
 
 double hausdorff_distance(Sampled a, Sampled b, int density) {

@@ -8,7 +8,7 @@
 
 namespace {
 
-std::atomic<std::int64_t> count{0};
+std::atomic<std::int64_t> allocated{0};
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::atomic<std::int64_t> count{0};
 namespace {
 
 void* counted(std::size_t size) noexcept {
-  ++count;
+  ++allocated;
   return std::malloc(size == 0 ? 1 : size);
 }
 void* counted_or_throw(std::size_t size) {
@@ -41,6 +41,6 @@ void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); 
 
 namespace requad::tests {
 
-std::int64_t allocations() { return count; }
+std::int64_t allocations() { return allocated; }
 
 }  // namespace requad::tests

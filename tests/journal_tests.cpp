@@ -23,7 +23,7 @@ std::string without_seconds(const std::string& json) {
   return std::regex_replace(json, std::regex("\"seconds\":[^,}]*"), "\"seconds\":0");
 }
 
-std::size_t lines_of(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t line_count(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
 CaseResult some_result(int number) {
   CaseResult r;
@@ -100,7 +100,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
     CHECK(refusal(path, "run a") == "--journal: " + path + ": is in use by another run");
   }
   const std::string whole = slurp(path);
-  CHECK(lines_of(whole) == 3);
+  CHECK(line_count(whole) == 3);
   {
     Journal journal(path, "run a", 10, 2);
     CHECK(journal.results().size() == 2);
@@ -114,11 +114,11 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   // Cut anywhere: what is whole stays, the rest goes, and the journal can be added to.
   for (std::size_t size = 0; size < whole.size(); ++size) {
     spill(path, whole.substr(0, size));
-    const std::size_t kept = lines_of(whole.substr(0, size));
+    const std::size_t kept = line_count(whole.substr(0, size));
     Journal journal(path, "run a", 10, 2);
     REQUIRE(journal.results().size() == (kept > 1 ? kept - 1 : 0));
     journal.append(7, some_result(7));
-    REQUIRE(lines_of(slurp(path)) == std::max<std::size_t>(kept, 1) + 1);
+    REQUIRE(line_count(slurp(path)) == std::max<std::size_t>(kept, 1) + 1);
   }
 
   // Damage before the end is none that a killed run leaves.
@@ -169,7 +169,7 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
       _exit(127);
     }
     REQUIRE(child > 0);
-    while (lines_of(slurp(journal)) < lines && waitpid(child, nullptr, WNOHANG) == 0) {
+    while (line_count(slurp(journal)) < lines && waitpid(child, nullptr, WNOHANG) == 0) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (kill(child, SIGKILL) == 0) {
@@ -178,14 +178,14 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
     }
   }
   CHECK(kills == 2);
-  const std::size_t kept = lines_of(slurp(journal));
+  const std::size_t kept = line_count(slurp(journal));
   // The end of a line, as if it had been torn.
   std::ofstream(journal, std::ios::app) << slurp(journal).substr(0, 40);
   const Outcome rest = call("verify", kRun + "--json rest.json --journal killed.journal");
   REQUIRE(rest.code == 0);
   CHECK(without_seconds(slurp(scratch() / "rest.json")) == expected);
   const std::string full = slurp(journal);
-  CHECK(lines_of(full) > kept);
+  CHECK(line_count(full) > kept);
   // All is there now: nothing is run, and the report is the same.
   CHECK(call("verify", kRun + "--json again.json --journal killed.journal").code == 0);
   CHECK(slurp(journal) == full);
@@ -194,7 +194,7 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   // Another run's journal, in one line.
   const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
   CHECK(other.code == 2);
-  CHECK(lines_of(other.err) == 1);
+  CHECK(line_count(other.err) == 1);
   CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 claims T2 T4 M1; digon 3..16;") != std::string::npos);
   CHECK(slurp(journal) == full);
 }

@@ -14,8 +14,8 @@ using requad::tests::sides;
 
 namespace {
 
-const Polynomial x = Polynomial::variable(0);
-const Polynomial y = Polynomial::variable(1);
+const Polynomial kX = Polynomial::variable(0);
+const Polynomial kY = Polynomial::variable(1);
 
 Rational value(const Polynomial& p, Integer at) {
   Rational sum = 0, power = 1;
@@ -54,10 +54,10 @@ TEST_CASE("rationals are exact, and say so where they can not be", "[proofs]") {
 }
 
 TEST_CASE("polynomials multiply, compare and read as one writes them", "[proofs]") {
-  CHECK((x + y) * (x - y) == x * x - y * y);
-  CHECK((x - x) == Polynomial(0));
-  CHECK((Polynomial(Rational(1, 2)) * x * x - x * y + 3).text({"L", "d"}) == "1/2 L^2 - L d + 3");
-  CHECK(interpolate({1, 2, 4}, {0, 1, 9}) == (x - 1) * (x - 1));
+  CHECK((kX + kY) * (kX - kY) == kX * kX - kY * kY);
+  CHECK((kX - kX) == Polynomial(0));
+  CHECK((Polynomial(Rational(1, 2)) * kX * kX - kX * kY + 3).text({"L", "d"}) == "1/2 L^2 - L d + 3");
+  CHECK(interpolate({1, 2, 4}, {0, 1, 9}) == (kX - 1) * (kX - 1));
   // (x - 1)(x + 2) and (x - 1)(x - 3).
   CHECK(greatest_common_divisor({-2, 1, 1}, {3, -4, 1}) == Coefficients{-1, 1});
   CHECK(remainder({-1, 0, 0, 0, 1}, {1, 0, 1}).empty());
@@ -75,16 +75,16 @@ TEST_CASE("vertices and lattice points of small polytopes", "[proofs]") {
   const Polytope closed{IntegerMatrix::Ones(1, 3), IntegerVector::Ones(1), {false, false, false}};
   CHECK(vertices(closed) == std::vector<RationalVector>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
   const Polynomial half(Rational(1, 2));
-  CHECK(counting_quasi_polynomial(closed, 1).by_residue.front() == half * (x + 1) * (x + 2));
+  CHECK(counting_quasi_polynomial(closed, 1).by_residue.front() == half * (kX + 1) * (kX + 2));
   Polytope open = closed;
   open.strict.assign(3, true);
-  CHECK(counting_quasi_polynomial(open, 1).by_residue.front() == half * (x - 1) * (x - 2));
+  CHECK(counting_quasi_polynomial(open, 1).by_residue.front() == half * (kX - 1) * (kX - 2));
   // 2 x + y = 1: floor(L/2) + 1 points, so the period is 2; the vertex (1/2, 0) says so.
   const Polytope segment{(IntegerMatrix(1, 2) << 2, 1).finished(), IntegerVector::Ones(1), {false, false}};
   CHECK(common_denominator(vertices(segment)) == 2);
   const QuasiPolynomial count = counting_quasi_polynomial(segment, 2);
-  CHECK(count.by_residue[0] == half * x + 1);
-  CHECK(count.by_residue[1] == half * x + half);
+  CHECK(count.by_residue[0] == half * kX + 1);
+  CHECK(count.by_residue[1] == half * kX + half);
   // With a redundant row, and with one that contradicts.
   const Polytope twice{
       (IntegerMatrix(2, 2) << 1, 1, 2, 2).finished(), (IntegerVector(2) << 1, 2).finished(), {true, true}};
@@ -151,7 +151,7 @@ TEST_CASE("no proof goes through on false premises", "[proofs]") {
     p.symbol = {1, 1, 1};  // a third neighbour: period 3
     check_fails(prove_single_vertex(p));
     p = single_vertex_premises();
-    p.sharp_count = x * x;
+    p.sharp_count = kX * kX;
     check_fails(prove_single_vertex(p));
     p = single_vertex_premises();
     p.matrix = [](int l) { return (2 * PairSystem({l + 1, 3}).strip_matrix()).eval(); };

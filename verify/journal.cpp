@@ -95,8 +95,8 @@ void Journal::read(const std::string& run, std::size_t cases, std::size_t claims
         if (record.at("requad-verify journal").get<std::string>() != run)
           refuse(line, "it belongs to another run: " + record["requad-verify journal"].get<std::string>());
       } else {
-        constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-        const auto index = static_cast<std::size_t>(integer_from(record.at("case"), 0, kMost));
+        const auto index = static_cast<std::size_t>(
+            integer_from(record.at("case"), 0, std::numeric_limits<std::int64_t>::max()));
         if (index >= cases) refuse(line, "there is no case " + std::to_string(index));
         if (!results_.emplace(index, case_result(record.at("result"), claims)).second)
           refuse(line, "case " + std::to_string(index) + " stands here twice");
