@@ -69,6 +69,8 @@ class UnfinishedFile {
       path_.clear();
       return;
     }
+    // Opened before a signal can remove the file; opened afterwards, it would be made anew.
+    out_.open(path_, std::ios::binary);
     close(descriptor);
     unfinished().path = path_;
   }
@@ -80,6 +82,7 @@ class UnfinishedFile {
   UnfinishedFile(const UnfinishedFile&) = delete;
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
   const std::string& path() const { return path_; }
+  std::ofstream& out() { return out_; }
   // Gives the file its name.
   std::error_code finish(const std::filesystem::path& target) {
     const std::lock_guard lock(unfinished().mutex);
@@ -93,6 +96,7 @@ class UnfinishedFile {
 
  private:
   std::string path_;
+  std::ofstream out_;
 };
 
 }  // namespace
@@ -204,7 +208,7 @@ void write_text(const std::string& path, std::string_view text) {
   }
   UnfinishedFile temporary(target.string() + ".XXXXXX");
   if (temporary.path().empty()) fail(std::strerror(errno));
-  std::ofstream out(temporary.path(), std::ios::binary);
+  std::ofstream& out = temporary.out();
   out << text;
   out.close();
   if (!out) fail(std::strerror(errno));

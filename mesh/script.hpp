@@ -18,7 +18,8 @@
 // same bits.
 //
 // Laws
-//   W1  parse_script(to_string(s)) is s.
+//   W1  parse_script(to_string(s)) is s, if s was recorded or parsed; an inverse() lives in memory only: parse_script
+//       refuses the free ids in its text.
 //   W2  Replayed on the mesh that it was recorded on, a script gives the same mesh, with all ids, free ids and bits.
 //   W3  Its inverse() gives the mesh back likewise: from memory, or from a file by restore_ids().
 //   W4  A script that is not what it must be, or is replayed on another mesh, changes nothing, and one line says why.
