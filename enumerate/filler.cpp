@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 namespace requad::enumerate {
 
@@ -47,6 +48,13 @@ SharedLimits::SharedLimits(const SearchLimits& limits)
     deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*limits.seconds));
   }
+}
+
+bool SharedLimits::should_stop() {
+  if (progress) progress(kStatesBetweenLooks);
+  const auto passed = [now = Clock::now()](const std::optional<Clock::time_point>& time) { return time && now > *time; };
+  if (passed(deadline) || passed(pause)) stop = true;
+  return stop;
 }
 
 // --- preparation -----------------------------------------------------------------------------------------------------
@@ -98,7 +106,10 @@ bool Filler::open_hole(const std::vector<BoundaryVertex>& boundary) {
   link(static_cast<int>(nodes_.size()) - 1, first);
   push_hole(sums, first);
   least_faces_ = static_cast<int>(filling_.faces.size()) + least_faces(sums);
-  return sums.length() % 2 == 0 && fits_budget(sums);
+  if (sums.length() % 2 != 0 || !fits_budget(sums)) return false;
+  levels_.assign(1, {});
+  list_moves();
+  return true;
 }
 
 void Filler::push_hole(Sums sums, int start) {
@@ -257,7 +268,7 @@ void Filler::place(const Move& move) {
   const int w = next(v);
   const auto size = [](const auto& stack) { return static_cast<int>(stack.size()); };
   levels_.push_back({move.x.kind, move.y.kind, size(nodes_), size(saved_), size(holes_), size(edges_),
-                     filling_.vertices, hole_, least_faces_, 0, kNone});
+                     filling_.vertices, hole_, least_faces_, 0, kNone, kNone});
   const Hole hole = holes_[static_cast<std::size_t>(hole_)];
   const bool x_is_new = move.x.node == kNone;
   const bool y_is_new = move.y.node == kNone;
@@ -332,41 +343,73 @@ void Filler::take_back() {
 
 // --- the search ------------------------------------------------------------------------------------------------------
 
-void Filler::look_at_limits() {
-  if (shared_->deadline && SharedLimits::Clock::now() > *shared_->deadline) shared_->stop = true;
-  if (shared_->progress) shared_->progress(kStatesBetweenLooks);
-  if (sharing_ != nullptr && sharing_->wanted.load(std::memory_order_relaxed)) shares_ = true;
+int Filler::left(std::size_t level) const {
+  const auto end = level + 1 < levels_.size() ? levels_[level + 1].first_move : static_cast<int>(moves_.size());
+  return end - levels_[level].first_move;
 }
 
-void Filler::open_level() {
-  levels_.back().first_move = static_cast<int>(moves_.size());
-  if (hole_ == kNone) {
-    if (budget_.empty() && *visit_) (*visit_)(filling_);
-  } else if (shares_) {
-    sharing_->take(*this);
-  } else if (!shared_->stop) {
-    list_moves();
-  }
+void Filler::make(int number, int left) {
+  const int first = levels_.back().first_move;
+  levels_.back().made = number;
+  place(moves_[static_cast<std::size_t>(first + number)]);
+  moves_.erase(moves_.begin() + first + left, moves_.end());
+  levels_.back().first_move = first + left;
+  if (hole_ != kNone) list_moves();
 }
 
-std::int64_t Filler::run(const Visit& visit, Sharing* sharing) {
-  visit_ = &visit, sharing_ = sharing, shares_ = false;
+bool Filler::run(const Visit& visit, const Sharing& sharing) {
   states_ = 0;
-  moves_.clear();
-  levels_.assign(1, {});
-  open_level();
   for (;;) {
-    if (static_cast<int>(moves_.size()) > levels_.back().first_move) {
-      place(moves_.back());
-      moves_.pop_back();
-      if (++states_ % kStatesBetweenLooks == 0) look_at_limits();
-      open_level();
+    if (const int count = left(levels_.size() - 1); count > 0) {
+      make(count - 1, count - 1);
+      if (hole_ == kNone && budget_.empty() && visit) visit(filling_);
+      if (++states_ % kStatesBetweenLooks == 0) {
+        if (shared_->should_stop()) return false;
+        if (sharing.wanted.load(std::memory_order_relaxed)) hand_over(sharing);
+      }
     } else if (levels_.size() > 1) {
       take_back();
     } else {
-      return states_;
+      return true;
     }
   }
+}
+
+void Filler::hand_over(const Sharing& sharing) {
+  std::size_t i = 0;
+  while (i + 1 < levels_.size() && left(i) == 0) ++i;
+  const int given = left(i);
+  if (given == static_cast<int>(moves_.size())) return;  // then the two would only change places
+  Filler other = *this;
+  while (other.levels_.size() > i + 1) other.take_back();
+  other.moves_.resize(static_cast<std::size_t>(given));
+  moves_.erase(moves_.begin(), moves_.begin() + given);
+  for (++i; i < levels_.size(); ++i) levels_[i].first_move -= given;
+  sharing.take(other);
+}
+
+Filler::Trail Filler::trail() const {
+  Trail trail;
+  for (std::size_t i = 0; i + 1 < levels_.size(); ++i) trail.insert(trail.end(), {levels_[i].made, left(i)});
+  trail.push_back(left(levels_.size() - 1));
+  return trail;
+}
+
+void Filler::go_to(const Trail& trail) {
+  if (trail.size() % 2 == 0) throw std::invalid_argument("a trail has an odd number of numbers");
+  const auto check = [](int number, int low, int high) {
+    if (number < low || number > high) throw std::invalid_argument("no such move: " + std::to_string(number));
+    return number;
+  };
+  while (levels_.size() > 1) take_back();
+  moves_.clear();
+  list_moves();
+  for (std::size_t i = 0; i + 1 < trail.size(); i += 2) {
+    const int made = check(trail[i], 0, left(levels_.size() - 1) - 1);
+    make(made, check(trail[i + 1], 0, made));
+  }
+  const int rest = check(trail.back(), 0, left(levels_.size() - 1));
+  moves_.erase(moves_.begin() + levels_.back().first_move + rest, moves_.end());
 }
 
 }  // namespace requad::enumerate

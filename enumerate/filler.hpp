@@ -11,6 +11,10 @@
 // Costs. A quad at a corner of the hole, the usual case, is O(1) but for the walk to the next corner and the walk over
 // candidates for the fourth vertex; that one ends when no concave vertex is left. A hole without corners costs a round.
 //
+// Where it stands is a few numbers: the moves from a partial mesh are listed in an order that the mesh alone determines,
+// and tried from the last to the first. So for each level which move was made, and how many are left, tell all that is
+// done and all that is to do: its trail. A filler hands over work, and is stopped and started again, by trails.
+//
 // Internal: not installed.
 #pragma once
 
@@ -70,21 +74,28 @@ struct SharedLimits {
 
   SearchPruning pruning;
   int faces;
-  std::optional<Clock::time_point> deadline;
+  std::optional<Clock::time_point> deadline;  // the end of the search
+  std::optional<Clock::time_point> pause;     // when it stops to be written down
   std::function<void(std::int64_t)> progress;
   std::atomic<bool> stop{false};
   std::atomic<bool> face_limit_cut{false};
+
+  // What a branch asks now and then: whether either time has come. It tells of its progress, too.
+  bool should_stop();
 };
 
-// Copyable: a copy goes on from the partial mesh where the original stands, which is how branches are shared out.
+// Copyable: a copy goes on from where the original stands.
 class Filler {
  public:
   using Visit = std::function<void(const Filling&)>;
-  // Takes partial meshes off a search that is under way, whenever it is wanted.
+  // Takes work off a search that is under way, whenever it is wanted.
   struct Sharing {
-    std::atomic<bool> wanted{false};
+    const std::atomic<bool>& wanted;
     std::function<void(const Filler&)> take;
   };
+  // For each level but the last the number of the move that was made and how many moves below it are left; then how many
+  // are left at the last.
+  using Trail = std::vector<int>;
 
   Filler(const std::vector<int>& irregular, SharedLimits& shared);
 
@@ -100,9 +111,17 @@ class Filler {
   // False if it can not be filled.
   bool open_hole(const std::vector<BoundaryVertex>& boundary);
 
-  // Calls visit for each filling. When sharing is wanted, all partial meshes that are left to follow, few of them at each
-  // depth, are handed over instead; that is looked at now and then. Returns the number of quads placed.
-  std::int64_t run(const Visit& visit, Sharing* sharing = nullptr);
+  // Calls visit for each filling that is left, until all are found (true) or the search is to stop (false; run() goes on).
+  // Looks now and then whether it shall stop, or work is wanted; then it hands over what is left at the level nearest to
+  // the root, if there is something left at another.
+  bool run(const Visit& visit, const Sharing& sharing);
+  // How many quads the last run() placed.
+  std::int64_t states() const { return states_; }
+
+  Trail trail() const;
+  // From wherever it stands to where a filler of the same preparation stood. O(lengths of both) moves. Throws
+  // std::invalid_argument if the numbers are no trail; it stands anywhere then.
+  void go_to(const Trail& trail);
 
  private:
   static constexpr int kNone = -1;
@@ -162,6 +181,7 @@ class Filler {
     int least_faces;
     int first_move;  // its moves are those from here on
     int v;           // they are on the edge v -> w
+    int made;        // the number of the move that led to the next level
   };
 
   const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
@@ -182,10 +202,13 @@ class Filler {
   template <class Then>
   void for_each_corner(int n, bool outer, bool inner, Then&& then);
 
-  void open_level();
+  // The moves that are left at a level.
+  int left(std::size_t level) const;
   void place(const Move& move);
+  // Makes a move of the last level, leaves only the first so many of the others there, and lists the moves that follow.
+  void make(int number, int left);
   void take_back();
-  void look_at_limits();
+  void hand_over(const Sharing& sharing);
   int add_node(int vertex, int need);
   void save(int n) { saved_.emplace_back(n, node(n)); }
   void link(int a, int b) { node(a).next = b, node(b).previous = a; }
@@ -211,9 +234,6 @@ class Filler {
   std::vector<Move> moves_;
   std::vector<Level> levels_;
   std::int64_t states_ = 0;
-  const Visit* visit_ = nullptr;
-  Sharing* sharing_ = nullptr;
-  bool shares_ = false;  // what is left
 };
 
 }  // namespace requad::enumerate

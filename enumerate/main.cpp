@@ -40,10 +40,12 @@ constexpr const char* kHelp = R"(requad-enumerate: regions of quad meshes, their
       a shortest script of pair moves between two configurations, and the mesh it makes;
       labels are (d1,d2), for a hexagon (d1,d2,p), for a 3-5 pair (m,n) as in Theorem 7.4; 0,0 is the merged vertex
   requad-enumerate search --sides S1,S2,... --irregular L1,L2,... [--list] [--limit-seconds S] [--max-faces F]
+                          [--journal FILE]
       every filling of a boundary whose interior irregular valences are exactly these, by exhaustive search;
       --interior-quads Q1,Q2,... instead of --sides gives the number of quads at each boundary vertex;
-      --irregular '' asks for regular grids; --list prints a signature for each filling
-  requad-enumerate sphere --irregular L1,L2,... --vertices A..B [--list] [--limit-seconds S]
+      --irregular '' asks for regular grids; --list prints a signature for each filling;
+      --journal FILE keeps what is found and what is left: killed or out of time, the same command goes on
+  requad-enumerate sphere --irregular L1,L2,... --vertices A..B [--list] [--limit-seconds S] [--journal FILE]
       all closed quad spheres with these irregular valences, up to isomorphism
   requad-enumerate signature FILE [--subdivide]
       the canonical signature of a mesh in an OBJ or OFF file, one for it and its mirror image: two files print the same
@@ -59,6 +61,7 @@ Examples:
   requad-enumerate graph --sides 9,9 --pair 3-3 --format dot -o grid.dot
   requad-enumerate path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o result.obj
   requad-enumerate search --sides 6,6,6 --irregular 3,3,5
+  requad-enumerate search --sides 12,12,12 --irregular 3,3,5 --journal run.journal --limit-seconds 3600
   requad-enumerate sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..20
   requad-enumerate signature bunny.obj
 )";
@@ -249,6 +252,18 @@ enumerate::SearchLimits search_limits(const Options& options, program::Progress&
   return limits;
 }
 
+// The journal of a run whose result depends on these words and nothing else.
+std::optional<enumerate::SearchJournal> search_journal(const Options& options, const std::string& words) {
+  if (!options.has("journal")) return std::nullopt;
+  return enumerate::SearchJournal{options.text("journal"), std::string("requad-enumerate ") + REQUAD_VERSION + " " + words};
+}
+
+std::string words_of(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int n : numbers) text += (text.empty() ? "" : ",") + std::to_string(n);
+  return text;
+}
+
 std::string lines_of(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
@@ -256,7 +271,7 @@ std::string lines_of(const std::vector<std::string>& lines) {
 }
 
 int search(const Options& options) {
-  options.allow_only("search", {"sides", "interior-quads", "irregular", "list", "limit-seconds", "max-faces"});
+  options.allow_only("search", {"sides", "interior-quads", "irregular", "list", "limit-seconds", "max-faces", "journal"});
   if (options.has("sides") == options.has("interior-quads")) throw UsageError("search: expected either --sides or --interior-quads");
   enumerate::SearchProblem problem{{}, irregular_valences(options)};
   std::vector<int> sides;
@@ -275,7 +290,12 @@ int search(const Options& options) {
   if (enumerate::may_be_infinite(problem) && !limits.faces && !limits.seconds) {
     throw UsageError("search: these valences can close a tube of any length, so there may be infinitely many fillings; give --max-faces or --limit-seconds");
   }
-  const enumerate::CountedSearch found = enumerate::count_fillings(problem, limits, options.has("list"));
+  std::string words = (sides.empty() ? "search, interior quads " + words_of(problem.interior_quads) : "search, sides " + words_of(sides)) +
+                      "; irregular " + words_of(problem.irregular);
+  if (limits.faces) words += "; faces up to " + std::to_string(*limits.faces);
+  if (options.has("list")) words += "; with signatures";
+  const enumerate::CountedSearch found =
+      enumerate::count_fillings(problem, limits, options.has("list"), search_journal(options, words));
   progress.finish();
   const bool complete = found.outcome.complete();
 
@@ -302,7 +322,7 @@ int search(const Options& options) {
 }
 
 int sphere(const Options& options) {
-  options.allow_only("sphere", {"irregular", "vertices", "list", "limit-seconds"});
+  options.allow_only("sphere", {"irregular", "vertices", "list", "limit-seconds", "journal"});
   if (!options.has("vertices")) throw UsageError("--vertices is missing; expected a range as in --vertices 8..20");
   const program::Range range = program::parse_range(options.text("vertices"), "--vertices");
   if (range.first < 4 || range.last > enumerate::kMostFaces) {
@@ -310,7 +330,9 @@ int sphere(const Options& options) {
   }
   const std::vector<int> irregular = irregular_valences(options);
   program::Progress progress("states", 0, options.quiet());
-  const enumerate::SphereOutcome found = enumerate::search_spheres(irregular, static_cast<int>(range.last), search_limits(options, progress));
+  const std::string words = "sphere, irregular " + words_of(irregular) + "; vertices up to " + std::to_string(range.last);
+  const enumerate::SphereOutcome found = enumerate::search_spheres(
+      irregular, static_cast<int>(range.last), search_limits(options, progress), search_journal(options, words));
   progress.finish();
   const auto in_range = [&](const std::map<int, std::int64_t>& counts) {
     ordered_json json = ordered_json::object();
@@ -368,7 +390,7 @@ int signature(const Options& options, const std::vector<std::string>& words) {
 int main_body(int argc, char** argv) {
   const Options options(argc, argv, {{"with-apex", "list", "subdivide"},
                                      {"output,o", "generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
-                                      "vertices", "limit-seconds", "max-faces", "from-signature"},
+                                      "vertices", "limit-seconds", "max-faces", "journal", "from-signature"},
                                      {}});
   if (program::answered(options, "requad-enumerate", REQUAD_VERSION, kHelp)) return program::kDone;
   std::vector<std::string> words = options.words();

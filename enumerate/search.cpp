@@ -1,88 +1,146 @@
 #include "enumerate/search.hpp"
 
 #include <algorithm>
-#include <condition_variable>
+#include <chrono>
+#include <iterator>
+#include <limits>
 #include <mutex>
-#include <numeric>
 #include <set>
 #include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "enumerate/filler.hpp"
-#include "enumerate/threads.hpp"
+#include "enumerate/frontier.hpp"
+#include "enumerate/journal_file.hpp"
 #include "mesh/signature.hpp"
 
 namespace requad::enumerate {
 
+using nlohmann::ordered_json;
+
 namespace {
 
-// Runs a prepared filler on several threads. The first one starts alone; whoever has nothing to do waits for what the
-// others hand over of theirs. Their parts differ by orders of magnitude, so none could be cut to size beforehand.
-class ParallelRun {
- public:
-  ParallelRun(const Filler& start, const Filler::Visit& visit) : visit_(visit) {
-    waiting_.push_back(start);
-    sharing_.take = [this](const Filler& part) {
-      const std::scoped_lock lock(mutex_);
-      waiting_.push_back(part);
-      sharing_.wanted = false;
-      changed_.notify_one();
-    };
-  }
+constexpr std::size_t kMostBoundary = 10000;
+constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
-  std::int64_t run(int threads) {
-    const auto workers = static_cast<std::size_t>(thread_count(threads));
-    run_on_threads(workers, threads, [this](std::size_t) { work(); });
-    return states_;
-  }
-
- private:
-  void work() {
-    std::unique_lock lock(mutex_);
-    for (;;) {
-      if (!waiting_.empty()) {
-        // The one that came last is the nearest to the root. A copy of this thread's own: what two threads write lies apart.
-        Filler part = waiting_.back();
-        waiting_.pop_back();
-        ++running_;
-        lock.unlock();
-        std::int64_t states = 0;
-        try {
-          states = part.run(visit_, &sharing_);
-        } catch (...) {  // out of a visit: the others must not wait for this one
-          end_part(lock, 0);
-          throw;
-        }
-        end_part(lock, states);
-      } else if (running_ == 0) {
-        return;
-      } else {
-        sharing_.wanted = true;
-        changed_.wait(lock);
-      }
-    }
-  }
-
-  void end_part(std::unique_lock<std::mutex>& lock, std::int64_t states) {
-    lock.lock();
-    states_ += states;
-    if (--running_ == 0) changed_.notify_all();
-  }
-
-  const Filler::Visit& visit_;
-  Filler::Sharing sharing_;
-  std::mutex mutex_;  // of all below
-  std::condition_variable changed_;
-  std::vector<Filler> waiting_;
-  int running_ = 0;
-  std::int64_t states_ = 0;
-};
-
-std::int64_t run_parallel(const Filler& start, int threads, const Filler::Visit& visit) {
-  if (thread_count(threads) == 1) return Filler(start).run(visit);
-  return ParallelRun(start, visit).run(threads);
+// The partial mesh that a search starts from, or none if the boundary has no filling at first sight.
+std::vector<Filler> starts_of(const SearchProblem& problem, SharedLimits& shared) {
+  if (const std::string what = problem_with(problem); !what.empty()) throw std::invalid_argument(what);
+  // The whole budget has to fit, not only a part of it.
+  int index = 4;
+  for (const int quads : problem.interior_quads) index -= 2 - quads;
+  for (const int l : problem.irregular) index -= 4 - l;
+  if (index != 0) return {};
+  Filler filler(problem.irregular, shared);
+  std::vector<Filler::BoundaryVertex> boundary;
+  for (const int quads : problem.interior_quads) boundary.push_back({filler.add_vertex(), quads});
+  const int length = static_cast<int>(boundary.size());
+  for (int i = 0; i < length; ++i) filler.add_edge(i, (i + 1) % length);
+  if (!filler.open_hole(boundary)) return {};
+  return {filler};
 }
 
-constexpr std::size_t kMostBoundary = 10000;
+// From a journal: an array, and nothing else that could be iterated; a number to be added.
+const ordered_json::array_t& array_in(const ordered_json& json) { return json.get_ref<const ordered_json::array_t&>(); }
+void add_from(std::int64_t& sum, const ordered_json& json) { sum += integer_from(json, 0, kMost - sum); }
+
+// What was found, as a journal keeps it.
+struct Findings {
+  std::function<ordered_json()> news;             // since it was last called
+  std::function<void(const ordered_json&)> take;  // what news() gave to an earlier run
+};
+
+// Follows all that is left, to the end or out of time, and returns the states. With a journal, first goes to where that
+// stands, and stops now and then to write on.
+std::int64_t follow(Frontier& frontier, SharedLimits& shared, int threads, const Filler::Visit& visit,
+                    const std::optional<SearchJournal>& journal, const Findings& findings) {
+  if (!journal) {
+    frontier.follow(threads, visit);
+    return frontier.states();
+  }
+  std::int64_t states = 0;
+  std::optional<std::vector<std::vector<int>>> left;
+  JournalFile file(journal->path, "requad-enumerate", journal->run, [&](const ordered_json& record) {
+    findings.take(record.at("found"));
+    add_from(states, record.at("states"));
+    if (record.at("face_limit_cut").get<bool>()) shared.face_limit_cut = true;
+    left.emplace();
+    for (const ordered_json& part : array_in(record.at("left"))) {
+      std::vector<int>& numbers = left->emplace_back();
+      for (const ordered_json& number : array_in(part))
+        numbers.push_back(static_cast<int>(integer_from(number, 0, std::numeric_limits<int>::max())));
+    }
+  });
+  if (left) {
+    try {
+      frontier.set_left(*left);
+    } catch (const std::invalid_argument& error) {
+      file.refuse(std::string("what is left in the last line is nothing of this search: ") + error.what());
+    }
+  }
+  if (shared.progress) shared.progress(states);
+  using Clock = SharedLimits::Clock;
+  using Seconds = std::chrono::duration<double>;
+  const auto start = Clock::now();
+  // However little time there is, each run gets on.
+  for (bool late = false; !frontier.empty() && !late; late = shared.deadline && Clock::now() > *shared.deadline) {
+    const Seconds wait = std::max(Seconds(Clock::now() - start) / 100, Seconds(journal->least_seconds));
+    shared.pause = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
+    frontier.follow(threads, visit);
+    states += frontier.states();
+    file.append({{"found", findings.news()},
+                 {"states", frontier.states()},
+                 {"face_limit_cut", shared.face_limit_cut.load()},
+                 {"left", frontier.left()}});
+  }
+  return states;
+}
+
+// The fillings of a boundary, counted.
+struct Tally {
+  std::int64_t count = 0;
+  std::map<int, std::int64_t> by_faces;
+  // The symmetries of the boundary, and how many of them fix a filling, over all fillings: rotations, then all.
+  std::array<std::int64_t, 2> symmetries{1, 1};
+  std::array<std::int64_t, 2> fixing{};
+  std::vector<std::string> signatures;  // if they are kept
+
+  Tally() = default;
+  Tally(const Filling& filling, bool keep_signature) : count(1), by_faces{{static_cast<int>(filling.faces.size()), 1}} {
+    const mesh::Region region = region_of(filling);
+    const auto rotated = mesh::rotated_signatures(region);
+    const auto reflected = mesh::reflected_signatures(region);
+    std::string own = mesh::signature(region);
+    const auto fixed = std::count(rotated.begin(), rotated.end(), own);
+    symmetries = {std::ssize(rotated), std::ssize(rotated) + std::ssize(reflected)};
+    fixing = {fixed, fixed + std::count(reflected.begin(), reflected.end(), own)};
+    if (keep_signature) signatures.push_back(std::move(own));
+  }
+
+  void add(Tally other) {
+    if (other.count > 0) symmetries = other.symmetries;
+    count += other.count;
+    for (const auto& [faces, number] : other.by_faces) by_faces[faces] += number;
+    for (std::size_t i = 0; i < fixing.size(); ++i) fixing[i] += other.fixing[i];
+    std::move(other.signatures.begin(), other.signatures.end(), std::back_inserter(signatures));
+  }
+
+  ordered_json to_json() const {
+    return {{"count", count}, {"by_faces", by_faces}, {"symmetries", symmetries}, {"fixing", fixing}, {"signatures", signatures}};
+  }
+  void add_from_json(const ordered_json& json) {
+    add_from(count, json.at("count"));
+    for (const ordered_json& entry : array_in(json.at("by_faces")))
+      add_from(by_faces[static_cast<int>(integer_from(entry.at(0), 1, kMostFaces))], entry.at(1));
+    for (std::size_t i = 0; i < fixing.size(); ++i) {
+      symmetries[i] = integer_from(json.at("symmetries").at(i), 1, 2 * kMostBoundary);
+      add_from(fixing[i], json.at("fixing").at(i));
+    }
+    for (const ordered_json& signature : array_in(json.at("signatures"))) signatures.push_back(signature.get<std::string>());
+  }
+};
 
 int positive_index(const std::vector<int>& irregular) {
   int sum = 0;
@@ -127,95 +185,68 @@ mesh::Region region_of(const Filling& filling) {
 
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit) {
-  if (const std::string what = problem_with(problem); !what.empty()) throw std::invalid_argument(what);
   SharedLimits shared(limits);
-  Filler filler(problem.irregular, shared);
-  std::vector<Filler::BoundaryVertex> boundary;
-  for (const int quads : problem.interior_quads) boundary.push_back({filler.add_vertex(), quads});
-  const int length = static_cast<int>(boundary.size());
-  for (int i = 0; i < length; ++i) filler.add_edge(i, (i + 1) % length);
-
+  Frontier frontier(starts_of(problem, shared), shared);
   SearchOutcome outcome;
   std::mutex mutex;
-  const Filler::Visit record = [&](const Filling& filling) {
+  frontier.follow(limits.threads, [&](const Filling& filling) {
     {
       const std::scoped_lock lock(mutex);
       ++outcome.count;
       ++outcome.by_faces[static_cast<int>(filling.faces.size())];
     }
     if (visit) visit(filling);
-  };
-  // The whole budget has to fit, not only a part of it.
-  int index = 4;
-  for (const int quads : problem.interior_quads) index -= 2 - quads;
-  for (const int l : problem.irregular) index -= 4 - l;
-  if (index == 0 && filler.open_hole(boundary)) outcome.states = run_parallel(filler, limits.threads, record);
+  });
+  outcome.states = frontier.states();
   outcome.face_limit_cut = shared.face_limit_cut;
-  outcome.out_of_time = shared.stop;
+  outcome.out_of_time = !frontier.empty();
   return outcome;
 }
 
-CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures) {
-  CountedSearch counted;
+CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures,
+                             const std::optional<SearchJournal>& journal) {
+  SharedLimits shared(limits);
+  Frontier frontier(starts_of(problem, shared), shared);
   std::mutex mutex;
-  // Sums of 1 / (orbit length) = (symmetries that fix the filling) / (symmetries of the boundary).
-  std::int64_t fixed_by_rotations = 0, rotations = 1, fixed_by_all = 0, all = 1;
-  counted.outcome = search(problem, limits, [&](const Filling& filling) {
-    const mesh::Region region = region_of(filling);
-    std::string own = mesh::signature(region);
-    const auto rotated = mesh::rotated_signatures(region);
-    const auto reflected = mesh::reflected_signatures(region);
-    const auto fixing = std::count(rotated.begin(), rotated.end(), own);
-    const auto fixing_reflections = std::count(reflected.begin(), reflected.end(), own);
+  Tally noted, since;  // in the journal, and since that was written
+  const auto visit = [&](const Filling& filling) {
+    Tally one(filling, keep_signatures);
     const std::scoped_lock lock(mutex);
-    rotations = static_cast<std::int64_t>(rotated.size());
-    all = static_cast<std::int64_t>(rotated.size() + reflected.size());
-    fixed_by_rotations += fixing;
-    fixed_by_all += fixing + fixing_reflections;
-    if (keep_signatures) counted.signatures.push_back(std::move(own));
-  });
-  counted.orbits = {fixed_by_rotations / rotations, fixed_by_all / all};
+    since.add(std::move(one));
+  };
+  const auto news = [&] {
+    ordered_json json = since.to_json();
+    noted.add(std::exchange(since, {}));
+    return json;
+  };
+  const auto take = [&](const ordered_json& json) { noted.add_from_json(json); };
+  CountedSearch counted;
+  counted.outcome.states = follow(frontier, shared, limits.threads, visit, journal, {news, take});
+  noted.add(std::move(since));
+  counted.outcome.count = noted.count;
+  counted.outcome.by_faces = std::move(noted.by_faces);
+  counted.outcome.face_limit_cut = shared.face_limit_cut;
+  counted.outcome.out_of_time = !frontier.empty();
+  // The sum of 1 / (length of the orbit) = (symmetries that fix the filling) / (symmetries of the boundary).
+  counted.orbits = {noted.fixing[0] / noted.symmetries[0], noted.fixing[1] / noted.symmetries[1]};
+  counted.signatures = std::move(noted.signatures);
   std::sort(counted.signatures.begin(), counted.signatures.end());
   return counted;
 }
 
-SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const SearchLimits& limits) {
-  std::sort(irregular.begin(), irregular.end());
-  int index = 0;
-  for (const int l : irregular) {
-    if (l < 2 || l == 4 || l > 100)
-      throw std::invalid_argument("irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100");
-    index += 4 - l;
-  }
-  if (index != 8) {
-    throw std::invalid_argument("the indices 4 - l of the irregular valences sum to " + std::to_string(index) +
-                                ", but a sphere needs 8");
-  }
+namespace {
+
+// The partial meshes that a search for spheres starts from: one quad 0 1 2 3 with the rarest valence at 0; the hole is
+// the outside, so its boundary runs 0 3 2 1. All valences of the other corners are tried.
+std::vector<Filler> sphere_starts(const std::vector<int>& irregular, SharedLimits& shared) {
   std::map<int, int> count;
   for (const int l : irregular) ++count[l];
   const int rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
                        return a.second < b.second;
                      })->first;
-
-  SphereOutcome outcome;
-  std::mutex mutex;
-  std::set<std::string> oriented, unoriented;
-  std::map<int, std::int64_t> oriented_counts, counts;
-  const Filler::Visit record = [&](const Filling& filling) {
-    const mesh::QuadMesh m = mesh::QuadMesh::from_faces(filling.vertices, filling.faces);
-    std::string own = mesh::canonical_signature(m, mesh::Orientation::kept);
-    std::string either = std::min(own, mesh::canonical_signature(m, mesh::Orientation::mirrored));
-    const std::scoped_lock lock(mutex);
-    if (oriented.insert(std::move(own)).second) ++oriented_counts[filling.vertices];
-    if (unoriented.insert(std::move(either)).second) ++counts[filling.vertices];
-  };
-
-  SharedLimits shared(limits);
-  shared.faces = std::min(vertices - 2, kMostFaces);
-  // One quad 0 1 2 3 with the rarest valence at 0; the hole is the outside, so its boundary runs 0 3 2 1. All valences
-  // of the other corners are tried.
   std::vector<int> choices{4};
   for (const auto& [valence, number] : count) choices.push_back(valence);
+  std::vector<Filler> starts;
   for (const int l1 : choices) {
     for (const int l2 : choices) {
       for (const int l3 : choices) {
@@ -235,15 +266,57 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
         filler.add_face(corner);
         if (filler.open_hole(
                 {{corner[0], rarest - 1}, {corner[3], l3 - 1}, {corner[2], l2 - 1}, {corner[1], l1 - 1}})) {
-          outcome.states += run_parallel(filler, limits.threads, record);
+          starts.push_back(std::move(filler));
         }
       }
     }
   }
-  outcome.counts = std::move(counts);
-  outcome.oriented_counts = std::move(oriented_counts);
+  return starts;
+}
+
+}  // namespace
+
+SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const SearchLimits& limits,
+                             const std::optional<SearchJournal>& journal) {
+  std::sort(irregular.begin(), irregular.end());
+  int index = 0;
+  for (const int l : irregular) {
+    if (l < 2 || l == 4 || l > 100)
+      throw std::invalid_argument("irregular valence " + std::to_string(l) + " is not in 2, 3, 5..100");
+    index += 4 - l;
+  }
+  if (index != 8) {
+    throw std::invalid_argument("the indices 4 - l of the irregular valences sum to " + std::to_string(index) +
+                                ", but a sphere needs 8");
+  }
+
+  SphereOutcome outcome;
+  std::mutex mutex;
+  std::set<std::string> oriented, unoriented;
+  std::vector<std::string> since;  // oriented signatures that are not yet in the journal
+  const auto add = [&](const mesh::QuadMesh& m) {
+    const int v = m.vertex_count();
+    std::string own = mesh::canonical_signature(m, mesh::Orientation::kept);
+    std::string either = std::min(own, mesh::canonical_signature(m, mesh::Orientation::mirrored));
+    const std::scoped_lock lock(mutex);
+    if (unoriented.insert(std::move(either)).second) ++outcome.counts[v];
+    if (!oriented.insert(own).second) return;
+    ++outcome.oriented_counts[v];
+    if (journal) since.push_back(std::move(own));
+  };
+  const auto visit = [&](const Filling& filling) { add(mesh::QuadMesh::from_faces(filling.vertices, filling.faces)); };
+  const auto news = [&] { return ordered_json(std::exchange(since, {})); };
+  const auto take = [&](const ordered_json& json) {
+    for (const ordered_json& signature : array_in(json)) add(mesh::from_signature(signature.get<std::string>()).mesh);
+    since.clear();
+  };
+
+  SharedLimits shared(limits);
+  shared.faces = std::min(vertices - 2, kMostFaces);
+  Frontier frontier(sphere_starts(irregular, shared), shared);
+  outcome.states = follow(frontier, shared, limits.threads, visit, journal, {news, take});
   outcome.signatures.assign(unoriented.begin(), unoriented.end());
-  outcome.complete = !shared.stop;
+  outcome.complete = frontier.empty();
   return outcome;
 }
 

@@ -87,6 +87,16 @@ struct SearchOutcome {
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit);
 
+// A file that keeps what was found and what is left, so that a search that was killed, or out of time, goes on when it is
+// called again, and ends with the same result (journal_file.hpp has the format). A search writes it each time another
+// hundredth of its time has passed, a tenth of a second at least, and that is what a kill can lose.
+struct SearchJournal {
+  std::string path;
+  // A line that tells runs apart: whatever changes the search or its result, but not its threads or seconds.
+  std::string run;
+  double least_seconds = 0.1;
+};
+
 // The number of orbits of fillings under the rotations that keep the boundary, and under its rotations and reflections,
 // found in passing: each filling counts 1 / (length of its orbit).
 struct OrbitCount {
@@ -98,7 +108,9 @@ struct CountedSearch {
   OrbitCount orbits;
   std::vector<std::string> signatures;  // of all fillings, sorted; empty unless asked for
 };
-CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures);
+// Throws as search() does, and program::UsageError for a journal that can not be gone on with.
+CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures,
+                             const std::optional<SearchJournal>& journal = {});
 
 // --- closed spheres --------------------------------------------------------------------------------------------------
 
@@ -114,7 +126,8 @@ struct SphereOutcome {
   bool complete = true;  // false: out of time
 };
 // vertices: the largest V. Throws std::invalid_argument for valences < 2 or = 4, or an index sum other than 8 (then
-// there is no sphere at all and the message says so).
-SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const SearchLimits& limits);
+// there is no sphere at all and the message says so), and program::UsageError for a journal that can not be gone on with.
+SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const SearchLimits& limits,
+                             const std::optional<SearchJournal>& journal = {});
 
 }  // namespace requad::enumerate

@@ -8,10 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "enumerate/journal_file.hpp"
 #include "verify/judging.hpp"
 
 namespace requad::verify {
 
+using enumerate::integer_from;
 using nlohmann::ordered_json;
 
 CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected, const std::set<Method>& methods,
@@ -73,15 +75,6 @@ mesh::Region region_from(const ordered_json& json) {
 }
 
 }  // namespace
-
-std::int64_t integer_from(const ordered_json& json, std::int64_t low, std::int64_t high) {
-  // What is not negative, the parser keeps without a sign.
-  const bool fits = json.is_number_integer() && (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
-  const auto value = fits ? json.get<std::int64_t>() : 0;
-  if (!fits || value < low || value > high)
-    throw std::invalid_argument("no integer in " + std::to_string(low) + ".." + std::to_string(high));
-  return value;
-}
 
 // Claims that say nothing about the region are left out: most of them, mostly.
 ordered_json to_json(const CaseResult& result) {

@@ -24,8 +24,5 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
 nlohmann::ordered_json to_json(const CaseResult& result);
 // Throws std::invalid_argument, or an exception of the JSON library, if that is no result for so many claims.
 CaseResult case_result(const nlohmann::ordered_json& json, std::size_t claims);
-// An integer in low..high, exactly: the JSON library converts any number to any type, whether it fits or not. Throws
-// std::invalid_argument.
-std::int64_t integer_from(const nlohmann::ordered_json& json, std::int64_t low, std::int64_t high);
 
 }  // namespace requad::verify
