@@ -1,19 +1,13 @@
-// Properties on random meshes (RapidCheck). What a run draws follows from a seed, which is a constant here and can be
-// set from outside; a failing run shrinks what it drew, and prints the start, the operations as an edit script writes
-// them, and RC_PARAMS="reproduce=..." which runs that very case again:
-//
-//   RC_PARAMS="seed=7 max_success=10000" build/tests/requad-tests "[properties]"
+// Properties on random meshes (properties.hpp). A failing case prints the start and the operations as an edit script
+// writes them.
 //
 // A drawn operation is three numbers, taken modulo what there is to choose from, so that whatever is left after
 // shrinking is still an operation somewhere on the mesh.
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <tuple>
 #include <vector>
-
-#include <rapidcheck.h>
 
 #include "enumerate/generators.hpp"
 #include "mesh/features.hpp"
@@ -21,22 +15,17 @@
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
 #include "tests/catch.hpp"
+#include "tests/properties.hpp"
 #include "tests/support.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
+using tests::holds;
 
 namespace {
 
 using Kind = BasicOperation::Kind;
 using Draw = std::tuple<unsigned, unsigned, unsigned>;
-
-// RapidCheck prints the case and how to repeat it; Catch counts the failure.
-template <class Property>
-void holds(const std::string& what, const Property& property) {
-  setenv("RC_PARAMS", "seed=2011 max_success=500", 0);
-  CHECK(rc::check(what, property));
-}
 
 rc::Gen<std::vector<Draw>> draws() {
   const auto number = rc::gen::inRange(0U, 1U << 20);
