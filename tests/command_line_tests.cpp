@@ -72,7 +72,7 @@ const std::vector<Program>& programs() {
 const Words& odd_words() {
   static const Words all{"", "0", "1", "2", "3", "6", "-1", "1.5", "1e9", "99999999999999999999", "9223372036854775807", "2,2", "4,4,4",
                          "3,,3", "6,6,6,6,6,6", "3..5", "5..3", "..", "3-3", "5-5", "3-5", "svg", "-", "--", ".", "..", "in.obj",
-                         "no.obj", "run.journal", "two words", "line\nend", "T2", "walk", "\xff\xfe", "'", "nan", "--json", "-o", "--help"};
+                         "no.obj", "run.journal", "two words", "line\nend", "\n", "in\n.obj", "--sides=6\n,6", "3\n", "T2", "walk", "\xff\xfe", "'", "nan", "--json", "-o", "--help"};
   return all;
 }
 
