@@ -131,11 +131,13 @@ struct Tally {
     return {{"count", count}, {"by_faces", by_faces}, {"symmetries", symmetries}, {"fixing", fixing}, {"signatures", signatures}};
   }
   void add_from_json(const ordered_json& json) {
+    const std::int64_t before = count;
     add_from(count, json.at("count"));
     for (const ordered_json& entry : array_in(json.at("by_faces")))
       add_from(by_faces[static_cast<int>(integer_from(entry.at(0), 1, kMostFaces))], entry.at(1));
     for (std::size_t i = 0; i < fixing.size(); ++i) {
-      symmetries[i] = integer_from(json.at("symmetries").at(i), 1, 2 * kMostBoundary);
+      const std::int64_t of_boundary = integer_from(json.at("symmetries").at(i), 1, 2 * kMostBoundary);
+      if (count > before) symmetries[i] = of_boundary;  // without a filling nobody has looked
       add_from(fixing[i], json.at("fixing").at(i));
     }
     for (const ordered_json& signature : array_in(json.at("signatures"))) signatures.push_back(signature.get<std::string>());

@@ -24,21 +24,37 @@ BoxTree box_tree(const std::vector<Box>& boxes) {
   return {numbers.begin(), numbers.end(), boxes.begin(), boxes.end()};
 }
 
-// Visits the numbers below a node whose boxes may hold something within `bound` (a squared distance, which visit lowers),
-// the nearer box of two first. (Eigen's BVMinimize, with a queue of boxes, takes memory for each query.)
-template <class Visit>
-void visit_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const double& bound, const Visit& visit) {
+struct Nearest {
+  std::size_t number = 0;
+  double squared = std::numeric_limits<double>::infinity();  // distance
+};
+
+// The nearest to p of what is below a node, unless `best` is nearer, the nearer box of two first; of equals the least
+// number, whatever the order in which the tree gives them. squared_distance(number) is to p. (Eigen's BVMinimize, with a
+// queue of boxes, takes memory for each query.)
+template <class SquaredDistance>
+void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const SquaredDistance& squared_distance, Nearest& best) {
   BoxTree::VolumeIterator box = nullptr, last_box = nullptr;
   BoxTree::ObjectIterator number = nullptr, last_number = nullptr;
   tree.getChildren(node, box, last_box, number, last_number);
-  for (; number != last_number; ++number) visit(*number);
+  for (; number != last_number; ++number) {
+    const double squared = squared_distance(*number);
+    if (squared < best.squared || (squared == best.squared && *number < best.number)) best = {*number, squared};
+  }
   std::array<std::pair<double, BoxTree::Index>, 2> below;
   std::size_t count = 0;
   for (; box != last_box; ++box) below[count++] = {tree.getVolume(*box).squaredExteriorDistance(p), *box};
   if (count == 2 && below[1].first < below[0].first) std::swap(below[0], below[1]);
   for (std::size_t i = 0; i < count; ++i) {
-    if (below[i].first <= bound) visit_nearest(tree, below[i].second, p, bound, visit);
+    if (below[i].first <= best.squared) find_nearest(tree, below[i].second, p, squared_distance, best);
   }
+}
+
+template <class SquaredDistance>
+Nearest nearest_in(const BoxTree& tree, const Vector3d& p, const SquaredDistance& squared_distance) {
+  Nearest best;
+  find_nearest(tree, tree.getRootIndex(), p, squared_distance, best);
+  return best;
 }
 
 Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
@@ -97,19 +113,10 @@ SurfaceIndex::SurfaceIndex(SurfaceIndex&&) noexcept = default;
 SurfaceIndex& SurfaceIndex::operator=(SurfaceIndex&&) noexcept = default;
 
 SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p) const {
-  Vector3d best = p;
-  double squared = std::numeric_limits<double>::infinity();
-  std::size_t triangle = 0;
-  visit_nearest(tree_->boxes, tree_->boxes.getRootIndex(), p, squared, [&](std::size_t number) {
-    const Vector3d q = nearest_on_triangle(tree_->triangles[number], p);
-    const double found = (q - p).squaredNorm();
-    // Of equals the least number, whatever the order in which the tree gives them.
-    if (found > squared || (found == squared && number > triangle)) return;
-    best = q;
-    squared = found;
-    triangle = number;
+  const auto [number, squared] = nearest_in(tree_->boxes, p, [&](std::size_t triangle) {
+    return (nearest_on_triangle(tree_->triangles[triangle], p) - p).squaredNorm();
   });
-  return {best, std::sqrt(squared), tree_->faces[triangle / 2]};
+  return {nearest_on_triangle(tree_->triangles[number], p), std::sqrt(squared), tree_->faces[number / 2]};
 }
 
 struct PointIndex::Tree {
@@ -127,15 +134,8 @@ PointIndex::PointIndex(PointIndex&&) noexcept = default;
 PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 
 Vector3d PointIndex::nearest(const Vector3d& p) const {
-  std::size_t best = 0;
-  double squared = std::numeric_limits<double>::infinity();
-  visit_nearest(tree_->boxes, tree_->boxes.getRootIndex(), p, squared, [&](std::size_t number) {
-    const double found = (tree_->points[number] - p).squaredNorm();
-    if (found > squared || (found == squared && number > best)) return;
-    best = number;
-    squared = found;
-  });
-  return tree_->points[best];
+  const auto squared_distance = [&](std::size_t point) { return (tree_->points[point] - p).squaredNorm(); };
+  return tree_->points[nearest_in(tree_->boxes, p, squared_distance).number];
 }
 
 double hausdorff_distance(Sampled a, Sampled b, int density) {

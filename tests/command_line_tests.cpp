@@ -20,15 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Words = std::vector<std::string>;
+using CommandLine = std::vector<std::string>;
 
-struct Program {
+struct FuzzedProgram {
   std::string name;
-  std::vector<Words> starts;
+  std::vector<CommandLine> starts;
 };
 // Each takes a moment, however many of its words are left out.
-const std::vector<Program>& programs() {
-  static const std::vector<Program> all{
+const std::vector<FuzzedProgram>& fuzzed_programs() {
+  static const std::vector<FuzzedProgram> all{
       {"edit",
        {{"info", "in.obj"},
         {"info", "triangles.off", "--subdivide", "--json", "-"},
@@ -69,8 +69,8 @@ const std::vector<Program>& programs() {
   return all;
 }
 
-const Words& odd_words() {
-  static const Words all{"", "0", "1", "2", "3", "6", "-1", "1.5", "1e9", "99999999999999999999", "9223372036854775807", "2,2", "4,4,4",
+const CommandLine& odd_words() {
+  static const CommandLine all{"", "0", "1", "2", "3", "6", "-1", "1.5", "1e9", "99999999999999999999", "9223372036854775807", "2,2", "4,4,4",
                          "3,,3", "6,6,6,6,6,6", "3..5", "5..3", "..", "3-3", "5-5", "3-5", "svg", "-", "--", ".", "..", "in.obj",
                          "no.obj", "run.journal", "two words", "line\nend", "\n", "in\n.obj", "--sides=6\n,6", "3\n", "T2", "walk", "\xff\xfe", "'", "nan", "--json", "-o", "--help"};
   return all;
@@ -79,7 +79,7 @@ const Words& odd_words() {
 // A change to a command line: what, where, and by what. Whatever the numbers are, it is one.
 using Change = std::tuple<unsigned, unsigned, unsigned>;
 
-void change(Words& words, const Change& drawn, const Words& options) {
+void change_by_chance(CommandLine& words, const Change& drawn, const CommandLine& options) {
   const auto [what, where, by] = drawn;
   const auto at = words.begin() + static_cast<std::ptrdiff_t>(where % (words.size() + 1));
   const std::string& odd = odd_words()[by % odd_words().size()];
@@ -100,15 +100,15 @@ void change(Words& words, const Change& drawn, const Words& options) {
   }
 }
 
-std::string quoted(const std::string& word) { return "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'"; }
+std::string shell_quoted(const std::string& word) { return "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'"; }
 
-std::string command_of(const std::string& program, const Words& words) {
+std::string command_of(const std::string& program, const CommandLine& words) {
   std::string text = "requad-" + program;
-  for (const std::string& word : words) text += " " + quoted(word);
+  for (const std::string& word : words) text += " " + shell_quoted(word);
   return text;
 }
 
-Words options_of(const std::string& program) {
+CommandLine options_of(const std::string& program) {
   const std::string help = tests::call(program, "--help").out;
   const std::regex option("--[a-z][-a-z]*");
   std::set<std::string> names;
@@ -137,14 +137,14 @@ fs::path new_folder() {
 
 constexpr int kOutOfTime = 128 + 24;  // SIGXCPU, after ten seconds
 
-tests::Outcome run(const std::string& command) {
+tests::Outcome run_in_new_folder(const std::string& command) {
   new_folder();
   spill(scratch() / "script", "cd command && ulimit -t 10 && exec '" REQUAD_PROGRAM_DIR "'/" + command + " </dev/null\n");
   return tests::call("edit", "--version >/dev/null; bash script");
 }
 
 // What is wrong with how a run ended and what it left; "" if nothing.
-std::string problem_with(const tests::Outcome& outcome) {
+std::string ending_problem(const tests::Outcome& outcome) {
   if (outcome.code == kOutOfTime) return "";  // a long list of claims, a large region: what was asked for
   if (outcome.code < 0 || outcome.code > 3) return "it ended by exit code " + std::to_string(outcome.code);
   if (outcome.err.find("internal error") != std::string::npos) return "an internal error";
@@ -163,27 +163,27 @@ std::string problem_with(const tests::Outcome& outcome) {
 }  // namespace
 
 TEST_CASE("whatever the arguments, a program does what they say or refuses them in one line", "[properties][hostile]") {
-  for (const Program& program : programs()) {
-    for (const Words& start : program.starts) {
+  for (const FuzzedProgram& program : fuzzed_programs()) {
+    for (const CommandLine& start : program.starts) {
       const std::string command = command_of(program.name, start);
-      const tests::Outcome outcome = run(command);
+      const tests::Outcome outcome = run_in_new_folder(command);
       INFO(command << ": exit code " << outcome.code << ", standard error: " << outcome.err);
       CHECK((outcome.code == 0 || outcome.code == 3));
-      CHECK(problem_with(outcome).empty());
+      CHECK(ending_problem(outcome).empty());
     }
-    const Words options = options_of(program.name);
+    const CommandLine options = options_of(program.name);
     int refused = 0, done = 0, out_of_time = 0;
     tests::holds(
         program.name + ": arguments changed by chance",
         [&] {
-          Words words = program.starts[*rc::gen::inRange(std::size_t{0}, program.starts.size())];
+          CommandLine words = program.starts[*rc::gen::inRange(std::size_t{0}, program.starts.size())];
           const auto number = rc::gen::inRange(0U, 1U << 20);
           for (const Change& drawn : *rc::gen::resize(6, rc::gen::container<std::vector<Change>>(rc::gen::tuple(number, number, number))))
-            change(words, drawn, options);
+            change_by_chance(words, drawn, options);
           const std::string command = command_of(program.name, words);
-          const tests::Outcome outcome = run(command);
+          const tests::Outcome outcome = run_in_new_folder(command);
           ++(outcome.code == kOutOfTime ? out_of_time : outcome.code == 2 ? refused : done);
-          const std::string problem = problem_with(outcome);
+          const std::string problem = ending_problem(outcome);
           if (!problem.empty())
             RC_FAIL(command + "\n" + problem + "; exit code " + std::to_string(outcome.code) + ", standard error: " + outcome.err);
         },

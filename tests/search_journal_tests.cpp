@@ -47,6 +47,15 @@ std::size_t line_count(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+// What a search writes that found nothing and has this left.
+JournalFile::Record nothing_found(const JournalFile::Record& left) {
+  const auto none = JournalFile::Record::array();
+  return {{"found", {{"count", 0}, {"by_faces", none}, {"symmetries", {1, 1}}, {"fixing", {0, 0}}, {"signatures", none}}},
+          {"states", 0},
+          {"face_limit_cut", false},
+          {"left", left}};
+}
+
 // What is wrong with a journal of this search; "" if nothing.
 std::string refusal(const SearchProblem& problem, const SearchJournal& journal) {
   try {
@@ -124,6 +133,9 @@ TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][j
   check_same(count_fillings(problem, two, true, journal), at_once);
   const std::string whole = slurp(journal.path);
   REQUIRE(line_count(whole) > 5);
+  // A last line that found nothing changes nothing.
+  JournalFile(journal.path, "requad-enumerate", journal.run, [](const JournalFile::Record&) {}).append(nothing_found(JournalFile::Record::array()));
+  check_same(count_fillings(problem, two, true, journal), at_once);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     CAPTURE(size);
     spill(journal.path, whole.substr(0, size));
@@ -135,11 +147,7 @@ TEST_CASE("a search's journal that says what can not be is refused", "[search][j
   using Record = JournalFile::Record;
   const SearchProblem problem = search_problem({6, 6, 6}, {3, 3, 5});
   const SearchJournal journal = journal_at("false");
-  // The search's first move of one, then what is left there: all that it finds, as nothing was written of it.
-  const Record good{{"found", {{"count", 0}, {"by_faces", Record::array()}, {"symmetries", {1, 1}}, {"fixing", {0, 0}}, {"signatures", Record::array()}}},
-                    {"states", 0},
-                    {"face_limit_cut", false},
-                    {"left", {{0, 1}}}};
+  const Record good = nothing_found(Record::array({Record::array({0, 1})}));
   const auto refused = [&](const std::string& place, const std::string& value) {
     spill(journal.path, "");
     Record record = good;
