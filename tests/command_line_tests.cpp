@@ -77,9 +77,9 @@ const CommandLine& odd_words() {
 }
 
 // A change to a command line: what, where, and by what. Whatever the numbers are, it is one.
-using Change = std::tuple<unsigned, unsigned, unsigned>;
+using WordChange = std::tuple<unsigned, unsigned, unsigned>;
 
-void change_by_chance(CommandLine& words, const Change& drawn, const CommandLine& options) {
+void change_by_chance(CommandLine& words, const WordChange& drawn, const CommandLine& options) {
   const auto [what, where, by] = drawn;
   const auto at = words.begin() + static_cast<std::ptrdiff_t>(where % (words.size() + 1));
   const std::string& odd = odd_words()[by % odd_words().size()];
@@ -178,7 +178,7 @@ TEST_CASE("whatever the arguments, a program does what they say or refuses them 
         [&] {
           CommandLine words = program.starts[*rc::gen::inRange(std::size_t{0}, program.starts.size())];
           const auto number = rc::gen::inRange(0U, 1U << 20);
-          for (const Change& drawn : *rc::gen::resize(6, rc::gen::container<std::vector<Change>>(rc::gen::tuple(number, number, number))))
+          for (const WordChange& drawn : *rc::gen::resize(6, rc::gen::container<std::vector<WordChange>>(rc::gen::tuple(number, number, number))))
             change_by_chance(words, drawn, options);
           const std::string command = command_of(program.name, words);
           const tests::Outcome outcome = run_in_new_folder(command);

@@ -1,12 +1,7 @@
 // Journals: what a killed run leaves is enough to go on, and nothing is lost, counted twice or taken from another run.
 // And reports that do not depend on threads.
-#include <csignal>
 #include <fstream>
 #include <regex>
-#include <thread>
-
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
@@ -22,8 +17,6 @@ namespace {
 std::string without_seconds(const std::string& json) {
   return std::regex_replace(json, std::regex("\"seconds\":[^,}]*"), "\"seconds\":0");
 }
-
-std::size_t line_count(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
 CaseResult some_result(int number) {
   CaseResult r;
@@ -159,25 +152,8 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   CHECK(expected.find("\"methods\":[\"moves\",\"search\",\"walk\"]") != std::string::npos);
 
   const auto journal = scratch() / "killed.journal";
-  const std::string program = REQUAD_PROGRAM_DIR "/requad-verify";
-  const std::string command = "cd '" + scratch().string() + "' && exec '" + program + "' " + kRun + "--threads 2 --journal killed.journal";
-  int kills = 0;
-  for (const std::size_t lines : {std::size_t{4}, std::size_t{20}}) {
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
-      _exit(127);
-    }
-    REQUIRE(child > 0);
-    while (line_count(slurp(journal)) < lines && waitpid(child, nullptr, WNOHANG) == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    if (kill(child, SIGKILL) == 0) {
-      int status = 0;
-      if (waitpid(child, &status, 0) == child && WIFSIGNALED(status)) ++kills;
-    }
-  }
-  CHECK(kills == 2);
+  for (const std::size_t lines : {std::size_t{4}, std::size_t{20}})
+    CHECK(killed_at_line("verify", kRun + "--threads 2 --journal killed.journal", "killed.journal", lines));
   const std::size_t kept = line_count(slurp(journal));
   // The end of a line, as if it had been torn.
   std::ofstream(journal, std::ios::app) << slurp(journal).substr(0, 40);

@@ -1,10 +1,15 @@
 #include "tests/programs.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <thread>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/catch.hpp"
 
@@ -27,6 +32,24 @@ Outcome call(const std::string& program, const std::string& arguments) {
   return outcome;
 }
 
+bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file, std::size_t lines) {
+  const std::string command = "cd '" + scratch().string() + "' && exec '" REQUAD_PROGRAM_DIR "/requad-" + program + "' " + arguments;
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  REQUIRE(child > 0);
+  int status = 0;
+  while (line_count(slurp(scratch() / file)) < lines) {
+    if (waitpid(child, &status, WNOHANG) == child) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  REQUIRE(kill(child, SIGKILL) == 0);
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return WIFSIGNALED(status);
+}
+
 fs::path scratch() {
   static const fs::path folder = [] {
     std::string name = (fs::temp_directory_path() / "requad-tests-XXXXXX").string();
@@ -40,6 +63,8 @@ std::string slurp(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
+
+std::size_t line_count(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
 void spill(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 

@@ -1,10 +1,4 @@
 // Searches that are stopped and gone on with: whenever and however often that is, they find what one run finds.
-#include <csignal>
-#include <thread>
-
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "enumerate/journal_file.hpp"
 #include "enumerate/search.hpp"
 #include "mesh/program.hpp"
@@ -14,6 +8,7 @@
 using namespace requad;
 using namespace requad::enumerate;
 using tests::call;
+using tests::line_count;
 using tests::scratch;
 using tests::slurp;
 using tests::spill;
@@ -41,10 +36,6 @@ void check_same(const CountedSearch& a, const CountedSearch& b) {
   CHECK(a.orbits.rotations == b.orbits.rotations);
   CHECK(a.orbits.reflections == b.orbits.reflections);
   CHECK(a.signatures == b.signatures);
-}
-
-std::size_t line_count(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 // What a search writes that found nothing and has this left.
@@ -185,25 +176,8 @@ TEST_CASE("a search that was killed, or out of time, goes on by the same command
   const std::string run = "search --sides 14,14,14 --irregular 3,3,5 --quiet ";
   const tests::Outcome at_once = call("enumerate", run + "--json search-at-once.json");
   REQUIRE(at_once.code == 0);
-  const std::string command = "cd '" + scratch().string() + "' && exec '" + REQUAD_PROGRAM_DIR "/requad-enumerate' " + run +
-                              "--threads 2 --journal killed-search.journal >/dev/null";
-  const auto journal = scratch() / "killed-search.journal";
-  for (const std::size_t lines : {std::size_t{2}, std::size_t{3}}) {
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
-      _exit(127);
-    }
-    REQUIRE(child > 0);
-    while (line_count(slurp(journal)) < lines) {
-      REQUIRE(waitpid(child, nullptr, WNOHANG) == 0);
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    REQUIRE(kill(child, SIGKILL) == 0);
-    int status = 0;
-    REQUIRE(waitpid(child, &status, 0) == child);
-    CHECK(WIFSIGNALED(status));
-  }
+  for (const std::size_t lines : {std::size_t{2}, std::size_t{3}})
+    CHECK(tests::killed_at_line("enumerate", run + "--threads 2 --journal killed-search.journal >/dev/null", "killed-search.journal", lines));
   const tests::Outcome rest = call("enumerate", run + "--json search-rest.json --journal killed-search.journal --threads 1");
   CHECK(rest.code == 0);
   CHECK(rest.out == at_once.out);
