@@ -178,7 +178,7 @@ TEST_CASE("whatever the arguments, a program does what they say or refuses them 
         [&] {
           CommandLine words = program.starts[*rc::gen::inRange(std::size_t{0}, program.starts.size())];
           const auto number = rc::gen::inRange(0U, 1U << 20);
-          for (const WordChange& drawn : *rc::gen::resize(6, rc::gen::container<std::vector<WordChange>>(rc::gen::tuple(number, number, number))))
+          for (const WordChange& drawn : *rc::gen::resize(3, rc::gen::container<std::vector<WordChange>>(rc::gen::tuple(number, number, number))))
             change_by_chance(words, drawn, options);
           const std::string command = command_of(program.name, words);
           const tests::Outcome outcome = run_in_new_folder(command);
@@ -189,8 +189,10 @@ TEST_CASE("whatever the arguments, a program does what they say or refuses them 
         },
         tests::kSanitized ? 25 : 100);
     CAPTURE(program.name, refused, done, out_of_time);
-    CHECK(refused > 10);
-    CHECK(done > 10);
-    CHECK(20 * out_of_time < refused + done);
+    // Some of each, or little was tried.
+    const int all = refused + done + out_of_time;
+    CHECK(10 * refused > all);
+    CHECK(10 * done > all);
+    CHECK(20 * out_of_time < all);
   }
 }
