@@ -258,7 +258,7 @@ int interrupt(const std::string& command, const std::string& output, const char*
   REQUIRE(!fresh.empty());
   const auto before = files();
   int cut = 0;
-  constexpr int kMoments = 12;
+  constexpr int kMoments = tests::kSanitized ? 6 : 12;
   for (int i = 1; i <= kMoments; ++i) {
     spill(target, "old");
     const double seconds = whole.count() * 1.1 * i / kMoments;
