@@ -595,7 +595,7 @@ TEST_CASE("requad-edit atomic lists, makes and refuses", "[atomic][programs]") {
     const tests::Outcome outcome = tests::call("edit", arguments);
     CHECK(outcome.code == code);
     CHECK(outcome.err.find(why) != std::string::npos);
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(tests::line_count(outcome.err) == 1);
   }
   CHECK_FALSE(std::filesystem::exists(tests::scratch() / "no.obj"));
 }

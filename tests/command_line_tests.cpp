@@ -151,7 +151,7 @@ std::string ending_problem(const tests::Outcome& outcome) {
   if (outcome.code < 0 || outcome.code > 3) return "it ended by exit code " + std::to_string(outcome.code);
   if (outcome.err.find("internal error") != std::string::npos) return "an internal error";
   if (outcome.code == 2) {
-    if (!outcome.err.starts_with("requad-") || std::count(outcome.err.begin(), outcome.err.end(), '\n') != 1)
+    if (!outcome.err.starts_with("requad-") || tests::line_count(outcome.err) != 1)
       return "it is not refused in one line";
     if (!outcome.out.empty()) return "there is output, though it is refused";
   }

@@ -118,7 +118,7 @@ TEST_CASE("requad-edit: one line for bad input, exit 2, nothing written", "[prog
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
     CHECK(outcome.err.rfind("requad-edit: ", 0) == 0);
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(tests::line_count(outcome.err) == 1);
   }
   CHECK_FALSE(std::filesystem::exists(scratch() / "out.obj"));
   CHECK(call("edit", "info bad.obj").err == "requad-edit: bad.obj:9: 'nine' is not an integer\n");
@@ -132,7 +132,7 @@ TEST_CASE("requad-enumerate signature of a file", "[programs]") {
   // vertices.
   spill(scratch() / "renamed.obj", kCorners + "f 3 2 1 4\nf 8 5 6 7\nf 5 1 2 6\nf 6 2 3 7\nf 7 3 4 8\nf 8 4 1 5\n");
   const std::string cube = call("enumerate", "signature cube.obj").out;
-  CHECK(std::count(cube.begin(), cube.end(), '\n') == 1);
+  CHECK(tests::line_count(cube) == 1);
   CHECK(call("enumerate", "signature renamed.obj").out == cube);
   CHECK(call("enumerate", "signature tetrahedron.off --subdivide").out != cube);
   const json spheres =
@@ -149,6 +149,6 @@ TEST_CASE("requad-enumerate signature of a file", "[programs]") {
     INFO(arguments);
     const Outcome outcome = call("enumerate", arguments);
     CHECK(outcome.code == 2);
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(tests::line_count(outcome.err) == 1);
   }
 }

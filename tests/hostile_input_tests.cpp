@@ -48,7 +48,7 @@ void refused(const Outcome& outcome, const std::set<std::string>& before, const 
   INFO("code " << outcome.code << ", standard error: " << outcome.err);
   CHECK(outcome.code == 2);
   CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(tests::line_count(outcome.err) == 1);
   CHECK(outcome.err.starts_with("requad-"));
   for (const std::string& part : parts) CHECK(outcome.err.find(part) != std::string::npos);
   auto after = files();

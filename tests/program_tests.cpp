@@ -96,7 +96,7 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
     const Outcome outcome = call(program, arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(tests::line_count(outcome.err) == 1);
     CHECK(outcome.err.rfind("requad-" + program + ": ", 0) == 0);
   }
 }
@@ -223,7 +223,7 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
       UNSCOPED_INFO("accepted: " << text);
     } else {
       CHECK(outcome.code == 1);
-      CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+      CHECK(tests::line_count(outcome.err) == 1);
     }
   };
   for (std::size_t i = 0; i < good.size(); ++i) {
@@ -260,7 +260,7 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
 TEST_CASE("requad-figures writes what it says", "[programs]") {
   const Outcome made = call("figures", "-o pictures --page");
   CHECK(made.code == 0);
-  CHECK(std::count(made.out.begin(), made.out.end(), '\n') == 17 + 7 + 1);  // SVG of all, DOT of the grids, the page
+  CHECK(tests::line_count(made.out) == 17 + 7 + 1);  // SVG of all, DOT of the grids, the page
   for (const std::string number : {"10", "11", "12"}) {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);

@@ -569,7 +569,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
     const auto outcome = call("edit", arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(tests::line_count(outcome.err) == 1);
     CHECK(none_written());
   }
   CHECK(call("edit", "apply in.obj beyond.txt -o made.obj").err.rfind("requad-edit: beyond.txt:", 0) == 0);
@@ -585,7 +585,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   CHECK(held.code == 1);
   CHECK(held.err.rfind("requad-edit: apply: edits.txt:", 0) == 0);
   CHECK(held.err.find(": a ") != std::string::npos);
-  CHECK(std::count(held.err.begin(), held.err.end(), '\n') == 1);
+  CHECK(tests::line_count(held.err) == 1);
   CHECK(none_written());
 }
 

@@ -24,8 +24,11 @@ SearchLimits hurried(int threads) {
   return limits;
 }
 
-SearchJournal journal_at(const std::string& name, double least_seconds = 0) {
-  return {(scratch() / name).string(), "a run", least_seconds};
+// Of "a run", and written at every look.
+SearchJournal journal_at(const std::string& name) { return {(scratch() / name).string(), "a run", 0}; }
+
+void append(const SearchJournal& journal, const JournalFile::Record& record) {
+  JournalFile(journal.path, "requad-enumerate", journal.run, [](const JournalFile::Record&) {}).append(record);
 }
 
 void check_same(const CountedSearch& a, const CountedSearch& b) {
@@ -126,7 +129,7 @@ TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][j
   const std::string whole = slurp(journal.path);
   REQUIRE(line_count(whole) > 5);
   // A last line that found nothing changes nothing.
-  JournalFile(journal.path, "requad-enumerate", journal.run, [](const JournalFile::Record&) {}).append(nothing_found(JournalFile::Record::array()));
+  append(journal, nothing_found(JournalFile::Record::array()));
   check_same(count_fillings(problem, two, true, journal), at_once);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
     CAPTURE(size);
@@ -144,7 +147,7 @@ TEST_CASE("a search's journal that says what can not be is refused", "[search][j
     spill(journal.path, "");
     Record record = good;
     if (!place.empty()) record[Record::json_pointer(place)] = Record::parse(value);
-    JournalFile(journal.path, "requad-enumerate", journal.run, [](const Record&) {}).append(record);
+    append(journal, record);
     const std::string before = slurp(journal.path);
     const std::string why = refusal(problem, journal);
     if (!why.empty()) CHECK(slurp(journal.path) == before);
@@ -168,8 +171,7 @@ TEST_CASE("a search's journal that says what can not be is refused", "[search][j
   CHECK(refusal(problem, {journal.path, "another run"}) == prefix + "line 1: it belongs to another run: a run");
   // Spheres are signatures.
   spill(journal.path, "");
-  JournalFile(journal.path, "requad-enumerate", journal.run, [](const Record&) {})
-      .append({{"found", {"no signature"}}, {"states", 0}, {"face_limit_cut", false}, {"left", Record::array()}});
+  append(journal, {{"found", {"no signature"}}, {"states", 0}, {"face_limit_cut", false}, {"left", Record::array()}});
   CHECK_THROWS_AS(search_spheres(std::vector<int>(8, 3), 10, {}, journal), program::UsageError);
 }
 
