@@ -1,0 +1,39 @@
+// Who includes whom: theory/ and mesh/ do not know each other, so that what one predicts and the other does are compared
+// and not the same; what is above them includes only what its CMakeLists.txt links.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/catch.hpp"
+
+TEST_CASE("each folder includes only those it may use", "[includes]") {
+  const std::map<std::string, std::set<std::string>> may_use{
+      {"theory", {}},
+      {"mesh", {}},
+      {"enumerate", {"theory", "mesh"}},
+      {"verify", {"theory", "mesh", "enumerate", "figures"}},
+      {"figures", {"theory", "mesh", "enumerate"}},
+  };
+  const std::regex include(R"(\s*#\s*include\s*["<]([a-z]+)/.*)");
+  for (const auto& [folder, used] : may_use) {
+    int own = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(REQUAD_SOURCE_DIR) + "/" + folder)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch found;
+        if (!std::regex_match(line, found, include)) continue;
+        const std::string included = found[1];
+        if (included == folder) ++own;
+        const bool ours = may_use.count(included) > 0 || included == "bench" || included == "tests";
+        INFO(entry.path() << ": " << line);
+        CHECK((!ours || included == folder || used.count(included) > 0));
+      }
+    }
+    INFO(folder);
+    CHECK(own > 10);
+  }
+}
