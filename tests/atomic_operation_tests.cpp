@@ -179,18 +179,18 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   const AtomicReport back = perform(editor, report.inverse);
   REQUIRE(back.refusal == Refusal::none);
   REQUIRE(m == before);
-  REQUIRE(validate(m).empty());
   REQUIRE(back.inverse.name == op.name);
   REQUIRE(m.origin(back.inverse.along) == v);
   REQUIRE(m.target(back.inverse.along) == w);
   REQUIRE(perform(editor, back.inverse).refusal == Refusal::none);
-  REQUIRE(rel_boundary(m, region) == rel_boundary(after, region));
+  if (!(m == after)) REQUIRE(rel_boundary(m, region) == rel_boundary(after, region));
 }
 
 // Every operation at every vertex and along every edge, and each with the other choice of names.
 void check_everywhere(const Region& region, AtomicTally& tally) {
   INFO("on " << signature(region));
   const QuadMesh& m = region.mesh;
+  REQUIRE(validate(m).empty());
   QuadMesh copy = m;
   const Editor editor(copy);
   const auto check = [&](const std::vector<AtomicChoice>& list) {

@@ -23,7 +23,7 @@ struct Tally {
 void check_site(const Region& region, const BasicOperation& op, const tests::LegalResult& expected, std::mt19937& random, Tally& tally) {
   const QuadMesh& before = region.mesh;
   const Refusal refusal = why_not(before, op);
-  INFO(to_string(op) << " on " << signature(region) << ": " << explain(refusal));
+  INFO(to_string(op) << ": " << explain(refusal));
   REQUIRE((refusal == Refusal::none) == expected.legal);
 
   QuadMesh after = before;
@@ -82,7 +82,6 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   QuadMesh undone = after;
   REQUIRE(apply(undone, done.inverse).refusal == Refusal::none);
   REQUIRE(undone == before);
-  REQUIRE(validate(undone).empty());
   const Kind inverse = op.kind == Kind::flip_ccw ? Kind::flip_cw : op.kind == Kind::flip_cw ? Kind::flip_ccw
                        : op.kind == Kind::collapse ? Kind::split : Kind::collapse;
   REQUIRE(done.inverse.kind == inverse);
@@ -100,7 +99,9 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
 
 // Every operation at every half-edge, every split at every pair of half-edges into and out of a vertex.
 Tally check_all_sites(const Region& region, std::mt19937& random) {
+  INFO("on " << signature(region));
   const QuadMesh& m = region.mesh;
+  REQUIRE(validate(m).empty());
   Tally tally;
   for (const HalfEdgeId h : m.half_edges()) {
     for (const Turn turn : {Turn::counter_clockwise, Turn::clockwise}) {

@@ -88,29 +88,33 @@ bool keeps(const QuadMesh& m, const FeatureSet& features) {
 
 // Whether a map of half-edges from a to b, root to root, keeps next and twin: tried directly, for connected meshes.
 bool same_from(const QuadMesh& a, HalfEdgeId root_a, const QuadMesh& b, HalfEdgeId root_b) {
-  std::map<HalfEdgeId, HalfEdgeId> image{{root_a, root_b}}, back{{root_b, root_a}};
+  std::vector<HalfEdgeId> image(static_cast<std::size_t>(a.half_edge_capacity()));
+  std::vector<HalfEdgeId> back(static_cast<std::size_t>(b.half_edge_capacity()));
+  image[root_a.slot()] = root_b;
+  back[root_b.slot()] = root_a;
   std::vector<HalfEdgeId> open{root_a};
   while (!open.empty()) {
     const HalfEdgeId h = open.back();
     open.pop_back();
-    const HalfEdgeId g = image.at(h);
+    const HalfEdgeId g = image[h.slot()];
     if (a.is_boundary(h) != b.is_boundary(g)) return false;
     std::vector<std::pair<HalfEdgeId, HalfEdgeId>> steps{{a.next(h), b.next(g)}};
     if (!a.is_boundary(h)) steps.emplace_back(a.twin(h), b.twin(g));
     for (const auto& [to, image_of_to] : steps) {
-      const auto [at, is_new] = image.emplace(to, image_of_to);
-      if (at->second != image_of_to) return false;
-      if (!back.emplace(image_of_to, to).second && back.at(image_of_to) != to) return false;
-      if (is_new) open.push_back(to);
+      if (image[to.slot()] == image_of_to && back[image_of_to.slot()] == to) continue;
+      if (image[to.slot()].valid() || back[image_of_to.slot()].valid()) return false;
+      image[to.slot()] = image_of_to;
+      back[image_of_to.slot()] = to;
+      open.push_back(to);
     }
   }
   return true;
 }
 bool isomorphic(const QuadMesh& a, const QuadMesh& b) {
   if (a.face_count() != b.face_count()) return false;
+  const HalfEdgeId first = a.half_edges().front();
   const auto roots = b.half_edges();
-  return std::any_of(roots.begin(), roots.end(),
-                     [&](HalfEdgeId g) { return same_from(a, a.half_edges().front(), b, g); });
+  return std::any_of(roots.begin(), roots.end(), [&](HalfEdgeId g) { return same_from(a, first, b, g); });
 }
 
 // Runs a property for every operation that was drawn, on the mesh that those before have left.
