@@ -137,11 +137,11 @@ fs::path new_folder() {
   return folder;
 }
 
-constexpr int kOutOfTime = 128 + 24;  // SIGXCPU, after ten seconds
+constexpr int kOutOfTime = 128 + 24;  // SIGXCPU, after ten seconds: the soft limit; at a hard one the kernel kills by SIGKILL
 
 tests::Outcome run_in_new_folder(const std::string& command) {
   new_folder();
-  spill(scratch() / "script", "cd command && ulimit -t 10 && exec '" REQUAD_PROGRAM_DIR "'/" + command + " </dev/null\n");
+  spill(scratch() / "script", "cd command && ulimit -S -t 10 && exec '" REQUAD_PROGRAM_DIR "'/" + command + " </dev/null\n");
   return tests::call("edit", "--version >/dev/null; bash script");
 }
 
