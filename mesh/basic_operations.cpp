@@ -1,5 +1,7 @@
 #include "mesh/basic_operations.hpp"
 
+#include <stdexcept>
+
 namespace requad::mesh {
 
 std::string_view explain(Refusal refusal) {
@@ -99,6 +101,12 @@ Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& op) {
       break;
   }
   return done;
+}
+
+void take_back(QuadMesh& mesh, const BasicOperation& inverse) {
+  const Refusal refusal = apply(mesh, inverse).refusal;
+  if (refusal != Refusal::none)
+    throw std::logic_error("the inverse of an operation, " + to_string(inverse) + ", was refused: " + std::string(explain(refusal)));
 }
 
 }  // namespace requad::mesh

@@ -120,6 +120,9 @@ struct Applied {
 Applied apply(QuadMesh& mesh, const BasicOperation& operation);
 // Precondition: why_not() says Refusal::none.
 Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
+// Takes the last operation back by its inverse. Checked all the same: by Law O4 it is legal, and what breaks that law must
+// not break a mesh. Throws std::logic_error if it is refused.
+void take_back(QuadMesh& mesh, const BasicOperation& inverse);
 
 }  // namespace requad::mesh
 

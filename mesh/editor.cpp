@@ -114,7 +114,7 @@ void Editor::roll_back(std::size_t mark) {
   while (edits_.size() > mark) {
     const Edit& edit = edits_.back();
     for (auto p = edit.placements.rbegin(); p != edit.placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
-    if (edit.operates) apply_unchecked(mesh_, edit.inverse);
+    if (edit.operates) take_back(mesh_, edit.inverse);
     edits_.pop_back();
   }
 }

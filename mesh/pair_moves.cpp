@@ -63,7 +63,7 @@ class OnMesh {
     return done;
   }
   void roll_back() {
-    for (; !log_.empty(); log_.pop_back()) apply_unchecked(mesh_, log_.back().inverse);
+    for (; !log_.empty(); log_.pop_back()) take_back(mesh_, log_.back().inverse);
   }
 
  private:
