@@ -81,6 +81,7 @@ Exploration explore(PairType type, const std::vector<Region>& starts) {
   }
   return found;
 }
+
 namespace {
 
 // Nodes in the order of their configurations, the merged ones last.

@@ -48,8 +48,9 @@ struct Exploration {
   bool holds_pair(int node) const { return !nodes[static_cast<std::size_t>(node)].reading.configuration.merged(); }
 };
 
-// The first start is explored to the end; a further one becomes a node only if it was not reached, and is explored then. Precondition: region_problem(start) is "". A node in
-// whose region read() finds a problem is kept, with the problem, and not moved. O(nodes * moves * mesh).
+// The first start is explored to the end; a further one becomes a node only if it was not reached, and is explored then.
+// Precondition: region_problem(start) is "". A node in whose region read() finds a problem is kept, with the problem, and
+// not moved. O(nodes * moves * mesh).
 Exploration explore(theory::PairType type, const std::vector<mesh::Region>& starts);
 // From the first configuration of parameter_set(), glued, and from whatever moves did not reach of the others (the merged
 // ones too if apex says so), so that nothing is missing even if the graph were not connected. Nodes are sorted by

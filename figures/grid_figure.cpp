@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "theory/joined.hpp"
+
 namespace requad::figures {
 
 namespace {
@@ -148,8 +150,7 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   first.parameters.e(2) = m;  // e1 + e3 = M + 1, e2 + e4 = N + 1
   first.parameters.e(3) = n;
   const theory::IntegerVector sides = theory::region_sides(type, first);
-  GridFigure figure{"Configurations of a 3-5 pair in a region with sides", {}, {}, {}};
-  for (const auto side : sides) figure.title += " " + std::to_string(side);
+  GridFigure figure{"Configurations of a 3-5 pair in a region with sides " + theory::joined(sides, " "), {}, {}, {}};
   add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::without), sides, "n",
            [type](const Configuration& c) -> Place {
              const theory::GridPoint at = grid_point_of(type, c);
@@ -159,8 +160,7 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
 }
 
 GridFigure hexagon_figure(const std::vector<theory::Integer>& sides) {
-  GridFigure figure{"Configurations of a 5-5 pair in a hexagon with sides", {}, {}, {}};
-  for (const auto side : sides) figure.title += " " + std::to_string(side);
+  GridFigure figure{"Configurations of a 5-5 pair in a hexagon with sides " + theory::joined(sides, " "), {}, {}, {}};
   const theory::IntegerVector lengths = theory::to_vector(sides);
   theory::require_sides(theory::kHexagon, lengths);
   if (theory::parameter_set(theory::kHexagon, lengths).empty()) {

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "theory/joined.hpp"
+
 namespace requad::theory {
 
 namespace {
@@ -18,12 +20,6 @@ IntegerVector rotated(const IntegerVector& v, Eigen::Index by) {
   IntegerVector result(k);
   for (Eigen::Index i = 0; i < k; ++i) result(i) = v((i + by % k + k) % k);
   return result;
-}
-
-std::string join(const IntegerVector& v) {
-  std::string text;
-  for (const Integer x : v) text += (text.empty() ? "" : ",") + std::to_string(x);
-  return text;
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ std::string sides_problem(PairType type, const IntegerVector& sides) {
     }
   }
   if (sides.sum() % 2 != 0) {
-    return "sides " + join(sides) + " have the odd sum " + std::to_string(sides.sum()) +
+    return "sides " + joined(sides, ",") + " have the odd sum " + std::to_string(sides.sum()) +
            "; the boundary of a quadrangulated disk is even";
   }
   return "";

@@ -7,6 +7,7 @@
 #include "enumerate/generators.hpp"
 #include "enumerate/search.hpp"
 #include "mesh/signature.hpp"
+#include "theory/joined.hpp"
 
 namespace requad::verify {
 
@@ -33,14 +34,10 @@ const char* name(Method method) {
 }
 
 std::string describe(const RegionCase& region) {
-  std::string text = region.family == Family::single_vertex ? "v" + std::to_string(region.type.side_count()) : region.type.name();
-  if (region.family == Family::three_vertices) {
-    text.clear();
-    for (const int l : region.irregular) text += (text.empty() ? "" : "-") + std::to_string(l);
-  }
-  text += " region with sides";
-  for (const auto side : region.sides) text += " " + std::to_string(side);
-  return text;
+  const std::string holds = region.family == Family::single_vertex    ? "v" + std::to_string(region.type.side_count())
+                            : region.family == Family::three_vertices ? theory::joined(region.irregular, "-")
+                                                                      : region.type.name();
+  return holds + " region with sides " + theory::joined(region.sides, " ");
 }
 
 int Study::pairs_predicted() const {
