@@ -14,7 +14,7 @@ void obj_read_and_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   for (auto _ : state) {
     const mesh::Surface surface = mesh::read_surface(file.path(), false);
-    mesh::save_obj(file.copy(), surface.mesh, surface.positions);
+    program::write_text(file.copy(), mesh::obj_text(surface.mesh, surface.positions));
   }
   file.require_same_copy();
   count_quads(state);
@@ -42,7 +42,7 @@ BENCHMARK(obj_to_mesh)->Apply(sides);
 void obj_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::Surface surface = mesh::read_surface(file.path(), false);
-  for (auto _ : state) mesh::save_obj(file.copy(), surface.mesh, surface.positions);
+  for (auto _ : state) program::write_text(file.copy(), mesh::obj_text(surface.mesh, surface.positions));
   count_quads(state);
 }
 BENCHMARK(obj_write)->Apply(sides);

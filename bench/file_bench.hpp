@@ -11,6 +11,7 @@
 #include "bench/require.hpp"
 #include "bench/subjects.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/program.hpp"
 
 namespace requad::bench {
 
@@ -28,7 +29,7 @@ inline void count_quads(benchmark::State& state) {
 class ObjFile {
  public:
   explicit ObjFile(int n) : path_(std::filesystem::temp_directory_path() / "requad-bench.obj") {
-    mesh::save_obj(path(), mesh::QuadMesh::from_faces(n * n, torus_faces(n)), torus_positions(n));
+    program::write_text(path(), mesh::obj_text(mesh::QuadMesh::from_faces(n * n, torus_faces(n)), torus_positions(n)));
   }
   ~ObjFile() {
     std::remove(path().c_str());

@@ -13,6 +13,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <boost/crc.hpp>
@@ -64,6 +65,8 @@ JournalFile::JournalFile(std::string path, const std::string& program, const std
   file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) refuse(std::string("can not be opened: ") + std::strerror(errno));
   try {
+    struct stat status {};
+    if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) refuse("is no regular file");
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) refuse("is in use by another run");
     read(program, run, take);
   } catch (...) {
@@ -119,11 +122,18 @@ void JournalFile::read(const std::string& program, const std::string& run,
 void JournalFile::append(const Record& record) {
   const std::string line = record_line(record);
   const std::scoped_lock lock(mutex_);
+  if (!broken_.empty()) refuse(broken_);
+  const off_t before = lseek(file_, 0, SEEK_END);
   std::size_t written = 0;
   while (written < line.size()) {
     const ssize_t n = write(file_, line.data() + written, line.size() - written);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) refuse(std::string("can not be written: ") + std::strerror(errno));
+    if (n <= 0) {
+      broken_ = std::string("can not be written: ") + std::strerror(errno);
+      // Without the part that was written: what follows a torn line is not read. If that fails, too, nothing follows.
+      [[maybe_unused]] const int ignored = ftruncate(file_, before);
+      refuse(broken_);
+    }
     written += static_cast<std::size_t>(n);
   }
 }

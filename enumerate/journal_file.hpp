@@ -30,7 +30,8 @@ class JournalFile {
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  // Safe from any thread. Throws program::UsageError if the disk does not take it: nothing is lost up to there.
+  // Safe from any thread. Throws program::UsageError if the disk does not take it, and whatever comes after that: nothing
+  // is lost up to there, and no torn line is left.
   void append(const Record& record);
   // Throws the error of a journal whose contents, line by line as they should be, do not make sense together.
   [[noreturn]] void refuse(const std::string& why) const;
@@ -41,6 +42,7 @@ class JournalFile {
   std::string path_;
   int file_ = -1;
   std::mutex mutex_;
+  std::string broken_;  // why a record could not be appended; "" if all could
 };
 
 // An integer in low..high, exactly: the JSON library converts any number to any type, whether it fits or not. Throws

@@ -8,15 +8,16 @@
 
 #include "enumerate/generators.hpp"
 #include "enumerate/graph_output.hpp"
-#include "mesh/options.hpp"
 #include "enumerate/realisation.hpp"
 #include "enumerate/search.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/options.hpp"
 #include "mesh/polygon_file.hpp"
 #include "mesh/program.hpp"
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
 #include "theory/counts.hpp"
+#include "theory/joined.hpp"
 
 namespace {
 
@@ -122,7 +123,13 @@ PairType required_pair(const Options& options) {
   return parse_pair(options.text("pair"));
 }
 
-void finish(const Options& options, const ordered_json& summary, const std::string& text) { program::finish(options, summary.dump(), text); }
+// With the region that -o asks for, if it does.
+void finish(const Options& options, const ordered_json& summary, const std::string& text, const mesh::Region* region = nullptr,
+            const std::string& comment = "") {
+  program::Outputs outputs;
+  if (region != nullptr && options.has("output")) outputs.add(options.text("output"), mesh::obj_text(*region, {comment}));
+  program::finish(options, summary.dump(), text, std::move(outputs));
+}
 
 std::vector<int> as_ints(const IntegerVector& v) { return {v.begin(), v.end()}; }
 
@@ -159,19 +166,13 @@ int region(const Options& options, const std::vector<std::string>& words) {
   } else {
     throw UsageError("--generator: '" + generator + "' is not one of glue, grow, moves");
   }
-  if (options.has("output")) {
-    mesh::save_region(options.text("output"), made,
-                      {"region with a " + type.name() + " pair, parameters " + words[1] + " " + words[2] + " " + words[3]});
-  }
   const std::string signature = mesh::signature(made);
-  std::string text = "sides";
-  for (const auto side : sides) text += " " + std::to_string(side);
-  text += "\nfaces " + std::to_string(made.mesh.face_count()) + "\nvertices " + std::to_string(made.mesh.vertex_count()) +
-          "\nsignature " + signature + "\n";
+  const std::string text = "sides " + theory::joined(sides, " ") + "\nfaces " + std::to_string(made.mesh.face_count()) +
+                           "\nvertices " + std::to_string(made.mesh.vertex_count()) + "\nsignature " + signature + "\n";
   finish(options,
          {{"pair", type.name()}, {"sides", as_ints(sides)}, {"faces", made.mesh.face_count()},
           {"vertices", made.mesh.vertex_count()}, {"signature", signature}},
-         text);
+         text, &made, "region with a " + type.name() + " pair, parameters " + words[1] + " " + words[2] + " " + words[3]);
   return program::kDone;
 }
 
@@ -186,15 +187,15 @@ int graph(const Options& options) {
   if (format != "json" && format != "dot" && format != "graphml") {
     throw UsageError("--format: '" + format + "' is not one of json, dot, graphml");
   }
-  options.one_on_stdout({"json", "output"});
   const enumerate::Exploration found = enumerate::explore_all(type, sides, apex);
-  if (options.has("json")) program::write_text(options.text("json"), enumerate::graph_json(found, apex).dump() + "\n");
+  program::Outputs outputs;
+  if (options.has("json")) outputs.add(options.text("json"), enumerate::graph_json(found, apex).dump() + "\n");
   if (options.has("output") || !options.on_stdout("json")) {
-    const std::string text = format == "dot"       ? enumerate::graph_dot(found, apex)
-                             : format == "graphml" ? enumerate::graph_graphml(found, apex)
-                                                   : enumerate::graph_json(found, apex).dump() + "\n";
-    program::write_text(options.text("output", "-"), text);
+    outputs.add(options.text("output", "-"), format == "dot"       ? enumerate::graph_dot(found, apex)
+                                             : format == "graphml" ? enumerate::graph_graphml(found, apex)
+                                                                   : enumerate::graph_json(found, apex).dump() + "\n");
   }
+  outputs.commit();
   return program::kDone;
 }
 
@@ -210,9 +211,6 @@ int path(const Options& options) {
   const Configuration from = find_configuration(type, sides, options.text("from"), "--from");
   const Configuration to = find_configuration(type, sides, options.text("to"), "--to");
   const enumerate::Realisation made = enumerate::realise(type, sides, from, to);
-  if (options.has("output")) {
-    mesh::save_region(options.text("output"), made.region, {theory::label(type, to) + " reached from " + theory::label(type, from)});
-  }
   ordered_json json{{"sides", as_ints(sides)}, {"pair", type.name()}, {"path", ordered_json::array()},
                     {"moves", ordered_json::array()}, {"operations", ordered_json::array()},
                     {"signature", mesh::signature(made.region)}};
@@ -231,7 +229,7 @@ int path(const Options& options) {
     json["operations"].push_back(mesh::to_string(op));
     text += mesh::to_string(op) + "\n";
   }
-  finish(options, json, text);
+  finish(options, json, text, &made.region, theory::label(type, to) + " reached from " + theory::label(type, from));
   return program::kDone;
 }
 
@@ -252,16 +250,10 @@ enumerate::SearchLimits search_limits(const Options& options, program::Progress&
   return limits;
 }
 
-// The journal of a run whose result depends on these words and nothing else.
+// The journal of a run whose result depends on this program and these words, and nothing else.
 std::optional<enumerate::SearchJournal> search_journal(const Options& options, const std::string& words) {
   if (!options.has("journal")) return std::nullopt;
-  return enumerate::SearchJournal{options.text("journal"), std::string("requad-enumerate ") + REQUAD_VERSION + " " + words};
-}
-
-std::string words_of(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int n : numbers) text += (text.empty() ? "" : ",") + std::to_string(n);
-  return text;
+  return enumerate::SearchJournal{options.text("journal"), "requad-enumerate " + program::version_and_build(REQUAD_VERSION) + " " + words};
 }
 
 std::string lines_of(const std::vector<std::string>& lines) {
@@ -290,8 +282,8 @@ int search(const Options& options) {
   if (enumerate::may_be_infinite(problem) && !limits.faces && !limits.seconds) {
     throw UsageError("search: these valences can close a tube of any length, so there may be infinitely many fillings; give --max-faces or --limit-seconds");
   }
-  std::string words = (sides.empty() ? "search, interior quads " + words_of(problem.interior_quads) : "search, sides " + words_of(sides)) +
-                      "; irregular " + words_of(problem.irregular);
+  std::string words = (sides.empty() ? "search, interior quads " + theory::joined(problem.interior_quads, ",") : "search, sides " + theory::joined(sides, ",")) +
+                      "; irregular " + theory::joined(problem.irregular, ",");
   if (limits.faces) words += "; faces up to " + std::to_string(*limits.faces);
   if (options.has("list")) words += "; with signatures";
   const enumerate::CountedSearch found =
@@ -330,7 +322,7 @@ int sphere(const Options& options) {
   }
   const std::vector<int> irregular = irregular_valences(options);
   program::Progress progress("states", 0, options.quiet());
-  const std::string words = "sphere, irregular " + words_of(irregular) + "; vertices up to " + std::to_string(range.last);
+  const std::string words = "sphere, irregular " + theory::joined(irregular, ",") + "; vertices up to " + std::to_string(range.last);
   const enumerate::SphereOutcome found = enumerate::search_spheres(
       irregular, static_cast<int>(range.last), search_limits(options, progress), search_journal(options, words));
   progress.finish();
@@ -379,19 +371,20 @@ int signature(const Options& options, const std::vector<std::string>& words) {
   const bool open = mesh::boundary_loop_count(rebuilt.mesh) > 0;
   if (options.has("output")) {
     if (const std::string problem = mesh::region_problem(rebuilt); !problem.empty()) throw UsageError("signature: no drawing, since " + problem);
-    mesh::save_region(options.text("output"), rebuilt, {"rebuilt from its signature"});
   }
   const std::string canonical = std::min(mesh::canonical_signature(rebuilt.mesh), mesh::canonical_signature(rebuilt.mesh, mesh::Orientation::mirrored));
   finish(options, {{"vertices", rebuilt.mesh.vertex_count()}, {"faces", rebuilt.mesh.face_count()}, {"closed", !open}, {"canonical", canonical}},
-         "vertices " + std::to_string(rebuilt.mesh.vertex_count()) + "\nfaces " + std::to_string(rebuilt.mesh.face_count()) + "\ncanonical " + canonical + "\n");
+         "vertices " + std::to_string(rebuilt.mesh.vertex_count()) + "\nfaces " + std::to_string(rebuilt.mesh.face_count()) + "\ncanonical " + canonical + "\n",
+         &rebuilt, "rebuilt from its signature");
   return program::kDone;
 }
 
 int main_body(int argc, char** argv) {
   const Options options(argc, argv, {{"with-apex", "list", "subdivide"},
-                                     {"output,o", "generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
+                                     {"generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
                                       "vertices", "limit-seconds", "max-faces", "journal", "from-signature"},
-                                     {}});
+                                     {},
+                                     {"output,o"}});
   if (program::answered(options, "requad-enumerate", REQUAD_VERSION, kHelp)) return program::kDone;
   std::vector<std::string> words = options.words();
   if (words.empty()) throw UsageError("expected one of region, graph, path, search, sphere, signature; see --help");

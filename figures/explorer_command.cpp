@@ -18,13 +18,13 @@ int explorer_command(const program::Options& options) {
   const theory::IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
   if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
-  options.one_on_stdout({"json", "output"});
-
   const std::string path = options.text("output", "explorer.html");
+  options.require_outputs({"json", "output"});
+  program::require_writable(path);
+
   const enumerate::Exploration found = enumerate::explore_all(*type, sides, theory::Apex::with);
   const nlohmann::ordered_json data = explorer_data(found, sides);
   const std::string page = explorer_page(data);
-  program::write_text(path, page);
 
   const auto& claims = data["claims"];
   const auto held = std::count_if(claims.begin(), claims.end(),
@@ -34,13 +34,13 @@ int explorer_command(const program::Options& options) {
                                        {"configurations", data["nodes"].size()},
                                        {"moves", data["moves"].size()},
                                        {"claims", claims}};
-  if (options.has("json")) program::write_text(options.text("json"), summary.dump() + "\n");
-  if (!options.quiet() && !options.on_stdout("json") && path != "-") {
-    const auto nodes = data["nodes"].size();
-    std::cout << path << ": " << nodes << (nodes == 1 ? " configuration, " : " configurations, ")
-              << data["moves"].size() << " moves, " << held << " of " << claims.size() << " claims hold, "
-              << (page.size() + 1023) / 1024 << " kB\n";
-  }
+  const auto nodes = data["nodes"].size();
+  const std::string text = path + ": " + std::to_string(nodes) + (nodes == 1 ? " configuration, " : " configurations, ") +
+                           std::to_string(data["moves"].size()) + " moves, " + std::to_string(held) + " of " +
+                           std::to_string(claims.size()) + " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
+  program::Outputs outputs;
+  outputs.add(path, page);
+  program::finish(options, summary.dump(), text, std::move(outputs));
   return static_cast<std::size_t>(held) == claims.size() ? program::kDone : program::kCheckFailed;
 }
 

@@ -1,7 +1,7 @@
 #include "figures/graph_files.hpp"
 
 #include <array>
-#include <cstdio>
+#include <charconv>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
@@ -12,6 +12,7 @@
 #include <graphviz/cgraph.h>
 
 #include "figures/mesh_picture.hpp"
+#include "theory/joined.hpp"
 
 namespace requad::figures {
 
@@ -32,9 +33,8 @@ void set(void* object, const char* name, const std::string& value) {
 }
 
 std::string decimals(double x) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.2f", x + 0.0);
-  return buffer.data();
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
 }
 
 // What a reader of the graph wants to know, as names and values.
@@ -44,8 +44,6 @@ Attributes attributes(const GridFigure& figure, const GridNode& node) {
   const Grid& grid = figure.grids[static_cast<std::size_t>(node.grid)];
   const theory::GridPoint at = theory::grid_point(
       grid.type, grid.type.symmetric() ? node.configuration : theory::canonical(grid.type, node.configuration));
-  std::string sides;
-  for (const auto side : grid.sides) sides += (sides.empty() ? "" : ",") + std::to_string(side);
   return {{"label", node.label},
           {"d1", std::to_string(node.configuration.d1())},
           {"d2", std::to_string(node.configuration.d2())},
@@ -53,7 +51,7 @@ Attributes attributes(const GridFigure& figure, const GridNode& node) {
           {"m", std::to_string(at.m)},
           {"n", std::to_string(at.n)},
           {"faces", std::to_string(node.faces())},
-          {"sides", sides},
+          {"sides", theory::joined(grid.sides, ",")},
           {"signature", node.signature},
           {"same_as", node.same_as < 0 ? "" : figure.nodes[static_cast<std::size_t>(node.same_as)].name}};
 }

@@ -114,14 +114,15 @@ int main_body(int argc, char** argv) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw UsageError(folder + ": " + error.message());
-  const auto write = [&](const std::string& name, const std::string& text, const std::string& title,
-                         nlohmann::ordered_json about) {
+  program::Outputs outputs;
+  std::string told;
+  const auto write = [&](const std::string& name, std::string text, const std::string& title, nlohmann::ordered_json about) {
     const std::string path = (std::filesystem::path(folder) / name).string();
-    program::write_text(path, text);
+    outputs.add(path, std::move(text));
     about["file"] = path;
     about["title"] = title;
     files.push_back(std::move(about));
-    if (!options.quiet() && !options.on_stdout("json")) std::cout << path << ": " << title << "\n";
+    told += path + ": " + title + "\n";
   };
   for (const Made& m : made) {
     for (const std::string& format : formats) {
@@ -139,8 +140,7 @@ int main_body(int argc, char** argv) {
     }
   }
   if (options.has("page")) write("README.md", figures::gallery_page(), "Gallery", nlohmann::ordered_json::object());
-  if (options.has("json"))
-    program::write_text(options.text("json"), nlohmann::ordered_json{{"files", files}}.dump() + "\n");
+  program::finish(options, nlohmann::ordered_json{{"files", files}}.dump(), told, std::move(outputs));
   return program::kDone;
 }
 

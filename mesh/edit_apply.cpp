@@ -13,7 +13,6 @@ using program::UsageError;
 
 int apply(const Options& options) {
   output_path(options, "apply");
-  options.one_on_stdout({"json", "output", "map"});
   const auto& words = options.words();
   if (words.size() != 2) throw UsageError("apply: expected a mesh file and a script; see --help");
   wants_features(options);
@@ -55,7 +54,7 @@ Command apply_command() {
       "      Exit code 1: an edit would change a feature, and a line says which; then nothing is written.\n",
       {"requad-edit reduce spot.obj -o spot8.obj --script spot8.txt --map map.json",
        "requad-edit apply spot.obj spot8.txt -o again.obj", "requad-edit apply spot8.obj spot8.txt --undo -o back.obj"},
-      {{"subdivide", "undo"}, {"output,o", "feature-angle", "features", "map"}, {}},
+      {{"subdivide", "undo"}, {"feature-angle", "features"}, {}, {"output,o", "map"}},
       apply};
 }
 

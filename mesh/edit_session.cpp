@@ -27,8 +27,8 @@ program::OptionTable looking_options() { return {{"subdivide"}, {"feature-angle"
 
 program::OptionTable editing_options(program::OptionTable own) {
   own.flags.emplace_back("subdivide");
-  for (const char* name : {"output,o", "feature-angle", "features", "smooth", "script", "map"})
-    own.values.emplace_back(name);
+  for (const char* name : {"feature-angle", "features", "smooth"}) own.values.emplace_back(name);
+  for (const char* name : {"output,o", "script", "map"}) own.outputs.emplace_back(name);
   return own;
 }
 
@@ -36,7 +36,6 @@ namespace {
 
 mesh::Surface read_first(const Options& options, const std::string& command) {
   if (options.words().empty()) throw UsageError(command + ": expected a mesh file; see --help");
-  options.one_on_stdout({"json", "output", "script", "map"});
   wants_features(options);
   return mesh::read_surface(options.words().front(), options.has("subdivide"));
 }
@@ -120,12 +119,11 @@ void Session::smooth_since(std::size_t mark) {
 
 int Session::done(ordered_json summary, const std::string& text) {
   const std::string output = output_path(options_, command_);
-  if (options_.has("script")) {
-    program::write_text(options_.text("script"),
-                        mesh::to_string(mesh::record_script(input_.mesh, input_.positions, editor_)));
-  }
-  if (options_.has("map")) program::write_text(options_.text("map"), map_text(input_, editor_));
-  mesh::save_obj(output, mesh_, positions_);
+  program::Outputs outputs;
+  if (options_.has("script"))
+    outputs.add(options_.text("script"), mesh::to_string(mesh::record_script(input_.mesh, input_.positions, editor_)));
+  if (options_.has("map")) outputs.add(options_.text("map"), map_text(input_, editor_));
+  outputs.add(output, mesh::obj_text(mesh_, positions_));
   const auto sizes = [](const mesh::Diagnosis& d) {
     return ordered_json{{"vertices", d.vertices},
                         {"faces", d.faces},
@@ -136,7 +134,7 @@ int Session::done(ordered_json summary, const std::string& text) {
   summary["before"] = sizes(mesh::diagnose(input_.mesh, input_.positions));
   summary["after"] = sizes(mesh::diagnose(mesh_, positions_));
   const bool taken = options_.on_stdout("script") || options_.on_stdout("map");
-  program::finish(options_, summary.dump(), taken ? "" : text);
+  program::finish(options_, summary.dump(), taken ? "" : text, std::move(outputs));
   return program::kDone;
 }
 

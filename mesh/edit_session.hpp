@@ -48,8 +48,8 @@ class Session {
   // Smooths round what edits changed since the mark, unless --smooth 0 says not to.
   void smooth_since(std::size_t mark);
 
-  // The end of an edit that was made: writes --script, --map and at last -o, so that no result is without what was
-  // asked for beside it; reports. `summary` gets the sizes before and after.
+  // The end of an edit that was made: writes --script, --map, -o and --json, all or none, and reports. `summary` gets the
+  // sizes before and after.
   int done(nlohmann::ordered_json summary, const std::string& text);
   // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written.
   int refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles = {});

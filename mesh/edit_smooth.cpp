@@ -24,7 +24,6 @@ using program::UsageError;
 
 int smooth(const Options& options) {
   const std::string output = output_path(options, "smooth");
-  options.one_on_stdout({"json", "output", "script"});
   wants_features(options);
   mesh::SmoothingOptions how;
   const auto iterations = static_cast<int>(options.integer("iterations", 10, 0, 1'000'000));
@@ -60,11 +59,10 @@ int smooth(const Options& options) {
     }
   });
   progress.finish();
-  if (options.has("script")) {
-    program::write_text(options.text("script"),
-                        mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)));
-  }
-  mesh::save_obj(output, surface.mesh, positions);
+  program::Outputs outputs;
+  if (options.has("script"))
+    outputs.add(options.text("script"), mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)));
+  outputs.add(output, mesh::obj_text(surface.mesh, positions));
 
   int moved = 0;
   double farthest = 0;
@@ -95,20 +93,22 @@ int smooth(const Options& options) {
                       .dump(),
                   options.on_stdout("script") ? ""
                                               : counted(moved, "vertex", "vertices") + " moved\n" +
-                                                    line("before", before) + line("after ", after));
+                                                    line("before", before) + line("after ", after),
+                  std::move(outputs));
   return program::kDone;
 }
 
 int subdivide(const Options& options) {
   const std::string output = output_path(options, "subdivide");
-  options.one_on_stdout({"json", "output"});
   if (options.words().size() != 1) throw UsageError("subdivide: expected one mesh file; see --help");
   const mesh::Surface surface = mesh::read_surface(options.words().front(), true);
-  mesh::save_obj(output, surface.mesh, surface.positions);
+  program::Outputs outputs;
+  outputs.add(output, mesh::obj_text(surface.mesh, surface.positions));
   const int vertices = surface.mesh.vertex_count(), faces = surface.mesh.face_count();
   program::finish(options,
                   ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
-                  counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n");
+                  counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n",
+                  std::move(outputs));
   return program::kDone;
 }
 
@@ -126,8 +126,9 @@ Command smooth_command() {
       {"requad-edit smooth bunny.obj --project -o smooth.obj",
        "requad-edit smooth fandisk.obj --feature-angle 30 --weights chord --iterations 50 --project -o smooth.obj"},
       {{"subdivide", "project", "no-guard"},
-       {"output,o", "iterations", "weights", "pull", "feature-angle", "features", "script"},
-       {}},
+       {"iterations", "weights", "pull", "feature-angle", "features"},
+       {},
+       {"output,o", "script"}},
       smooth};
 }
 
@@ -138,7 +139,7 @@ Command subdivide_command() {
           "edges, then\n"
           "      those of faces\n",
           {"requad-edit subdivide triangles.obj -o quads.obj"},
-          {{}, {"output,o"}, {}},
+          {{}, {}, {}, {"output,o"}},
           subdivide};
 }
 

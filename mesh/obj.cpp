@@ -2,11 +2,8 @@
 
 #include "mesh/drawing.hpp"
 #include "mesh/number_text.hpp"
-#include "mesh/program.hpp"
 
 namespace requad::mesh {
-
-namespace {
 
 std::string obj_text(const QuadMesh& m, const Positions& positions, const std::vector<std::string>& comments) {
   std::string text;
@@ -30,22 +27,10 @@ std::string obj_text(const QuadMesh& m, const Positions& positions, const std::v
   return text;
 }
 
-}  // namespace
-
-void write_obj(std::ostream& out, const QuadMesh& m, const Positions& positions,
-               const std::vector<std::string>& comments) {
-  out << obj_text(m, positions, comments);
-}
-
-void save_obj(const std::string& path, const QuadMesh& m, const Positions& positions,
-              const std::vector<std::string>& comments) {
-  program::write_text(path, obj_text(m, positions, comments));
-}
-
-void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments) {
+std::string obj_text(const Region& region, const std::vector<std::string>& comments) {
   Positions positions;
   for (const Eigen::Vector2d& p : draw(region)) positions.emplace_back(p.x(), p.y(), 0);
-  save_obj(path, region.mesh, positions, comments);
+  return obj_text(region.mesh, positions, comments);
 }
 
 }  // namespace requad::mesh

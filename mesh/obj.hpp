@@ -1,7 +1,6 @@
 // Wavefront OBJ output.
 #pragma once
 
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -10,17 +9,12 @@
 
 namespace requad::mesh {
 
-// Writes the live elements with these positions (by vertex slot): comment lines first, then vertices and faces in the
-// order of their ids, each face from its first corner, so that a mesh that was read (polygon_file.hpp) and not changed
-// is written as it was. Coordinates have the fewest digits that read back as the same bits. O(V + F).
-void write_obj(std::ostream& out, const QuadMesh& mesh, const Positions& positions,
-               const std::vector<std::string>& comments = {});
-
-// The same to a file as a whole or not at all, or to stdout if path is "-". Throws program::UsageError with one line.
-void save_obj(const std::string& path, const QuadMesh& mesh, const Positions& positions,
-              const std::vector<std::string>& comments = {});
+// The live elements with these positions (by vertex slot): comment lines first, then vertices and faces in the order of
+// their ids, each face from its first corner, so that a mesh that was read (polygon_file.hpp) and not changed is written
+// as it was. Coordinates have the fewest digits that read back as the same bits. O(V + F).
+std::string obj_text(const QuadMesh& mesh, const Positions& positions, const std::vector<std::string>& comments = {});
 
 // A region as draw() draws it, in the plane z = 0.
-void save_region(const std::string& path, const Region& region, const std::vector<std::string>& comments = {});
+std::string obj_text(const Region& region, const std::vector<std::string>& comments = {});
 
 }  // namespace requad::mesh

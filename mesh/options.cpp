@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <set>
 
 #include <boost/program_options.hpp>
 
@@ -31,6 +32,7 @@ Options::Options(int argc, char** argv, const OptionTable& table) {
   for (const std::string& flag : table.flags) all.add_options()(flag.c_str(), "");
   value("json"), value("threads");
   for (const std::string& name : table.values) value(name);
+  for (const std::string& name : table.outputs) value(name);
   for (const std::string& name : table.lists)
     all.add_options()(name.c_str(), po::value<std::vector<std::string>>(), "");
   all.add_options()(" words", po::value<std::vector<std::string>>(), "");
@@ -49,6 +51,9 @@ Options::Options(int argc, char** argv, const OptionTable& table) {
   }
   words_ = list(" words");
   threads();  // so that a bad one is refused whatever the command
+  std::vector<std::string> outputs{"json"};
+  for (const std::string& name : table.outputs) outputs.push_back(name.substr(0, name.find(',')));
+  require_outputs(outputs);
 }
 
 std::string Options::text(const std::string& name, const std::string& fallback) const {
@@ -93,15 +98,20 @@ void Options::allow_only(const std::string& command, std::initializer_list<const
   }
 }
 
-void Options::one_on_stdout(std::initializer_list<const char*> names) const {
-  if (std::count_if(names.begin(), names.end(), [this](const char* name) { return on_stdout(name); }) > 1) {
-    throw UsageError("two outputs can not both go to standard output");
+void Options::require_outputs(const std::vector<std::string>& names) const {
+  std::set<std::string> places;
+  for (const std::string& name : names) {
+    if (!has(name)) continue;
+    const std::string place = text(name);
+    if (!places.insert(place).second)
+      throw UsageError("two outputs can not both go to " + (place == "-" ? "standard output" : place));
+    require_writable(place);
   }
 }
 
-void finish(const Options& options, const std::string& json, const std::string& text) {
-  options.one_on_stdout({"json", "output"});
-  if (options.has("json")) write_text(options.text("json"), json + "\n");
+void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs) {
+  if (options.has("json")) outputs.add(options.text("json"), json + "\n");
+  outputs.commit();
   if (!options.on_stdout("json") && !options.on_stdout("output") && !options.quiet()) std::cout << text;
 }
 

@@ -15,14 +15,16 @@ namespace requad::program {
 // What a program's command line may hold. Names are as for Boost.Program_options ("output,o"). Every program has
 // --help, --version, --quiet, --json and --threads besides.
 struct OptionTable {
-  std::vector<std::string> flags;
-  std::vector<std::string> values;  // take a value, given once
-  std::vector<std::string> lists;   // take a value, may be repeated
+  std::vector<std::string> flags = {};
+  std::vector<std::string> values = {};   // take a value, given once
+  std::vector<std::string> lists = {};    // take a value, may be repeated
+  std::vector<std::string> outputs = {};  // take the name of a file to write, or "-" for standard output; --json is one
 };
 
 class Options {
  public:
-  // Throws UsageError for anything the table does not know; abbreviations are not guessed.
+  // Throws UsageError for anything the table does not know, abbreviations included, and for outputs that can not be
+  // written or go to the same place: before any work.
   Options(int argc, char** argv, const OptionTable& table);
 
   bool has(const std::string& name) const { return map_.count(name) != 0; }
@@ -38,8 +40,8 @@ class Options {
 
   // Throws UsageError if an option other than these and the common ones is given: `command` has no use for it.
   void allow_only(const std::string& command, std::initializer_list<const char*> names) const;
-  // Throws UsageError if more than one of these options asks for standard output.
-  void one_on_stdout(std::initializer_list<const char*> names) const;
+  // Throws UsageError if one of these options names what can not be written, or two of them the same place.
+  void require_outputs(const std::vector<std::string>& names) const;
   bool on_stdout(const std::string& name) const { return text(name) == "-"; }
 
  private:
@@ -47,8 +49,9 @@ class Options {
   std::vector<std::string> words_;
 };
 
-// How a command ends: the JSON where --json asks for it, the text on standard output unless that is taken or --quiet.
-void finish(const Options& options, const std::string& json, const std::string& text);
+// How a command ends: its outputs, with the JSON where --json asks for it, are committed; then the text, on standard output
+// unless that is taken or --quiet.
+void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs = {});
 
 // Prints the help or the version if asked for; true if that was all there was to do.
 bool answered(const Options& options, const char* name, const char* version, const char* help);

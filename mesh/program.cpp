@@ -1,10 +1,12 @@
 #include "mesh/program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -12,92 +14,93 @@
 #include <iostream>
 #include <mutex>
 #include <new>
+#include <set>
 #include <system_error>
 #include <thread>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <boost/crc.hpp>
 
 #include "mesh/quad_mesh.hpp"
 
 namespace requad::program {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-// The file that write_text() is filling, so that a signal that ends the program takes it away. Made and never freed, as
-// a signal may come when the program is ending anyway.
+// The temporary files there are, so that a signal that ends the program takes them away. Made and never freed, as a signal
+// may come when the program is ending anyway.
 struct Unfinished {
-  std::mutex mutex;  // held while the file is made, renamed or removed
-  std::string path;  // "" if there is none
+  std::mutex mutex;  // held while files are made, renamed or removed
+  std::set<std::string> paths;
 };
 Unfinished& unfinished() {
   static auto* const it = new Unfinished;
   return *it;
 }
 
-// Waits in a thread of its own for the signals that end a program, so that none comes between making a file and noting
-// that it was made. Threads that are started later inherit that the signals are blocked.
-void end_on_signals() {
-  sigset_t awaited;
-  sigemptyset(&awaited);
+// Those that end the program; one that is ignored, as in the background, stays so.
+sigset_t ending_signals() {
+  sigset_t ending;
+  sigemptyset(&ending);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction now {};
     sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_IGN) sigaddset(&awaited, signal);  // one that is ignored, as in the background, stays so
+    if (now.sa_handler != SIG_IGN) sigaddset(&ending, signal);
   }
+  return ending;
+}
+
+// Waits in a thread of its own for the signals that end a program, so that none comes between making a file and noting
+// that it was made. Threads that are started later inherit that the signals are blocked.
+void end_on_signals() {
+  const sigset_t awaited = ending_signals();
   unfinished();
   pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
   std::thread([awaited] {
     int signal = 0;
     if (sigwait(&awaited, &signal) != 0) return;
     const std::lock_guard lock(unfinished().mutex);
-    if (!unfinished().path.empty()) unlink(unfinished().path.c_str());
+    for (const std::string& path : unfinished().paths) unlink(path.c_str());
     std::signal(signal, SIG_DFL);
     pthread_sigmask(SIG_UNBLOCK, &awaited, nullptr);
     raise(signal);
   }).detach();
 }
 
-// A file beside its target, removed unless it is kept.
-class UnfinishedFile {
- public:
-  // `path` ends in XXXXXX. Leaves errno and path() empty if no file can be made.
-  explicit UnfinishedFile(std::string path) : path_(std::move(path)) {
-    const std::lock_guard lock(unfinished().mutex);
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor < 0) {
-      path_.clear();
-      return;
-    }
-    // Opened before a signal can remove the file; opened afterwards, it would be made anew.
-    out_.open(path_, std::ios::binary);
-    close(descriptor);
-    unfinished().path = path_;
-  }
-  ~UnfinishedFile() {
-    const std::lock_guard lock(unfinished().mutex);
-    if (!path_.empty()) unlink(path_.c_str());
-    unfinished().path.clear();
-  }
-  UnfinishedFile(const UnfinishedFile&) = delete;
-  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-  const std::string& path() const { return path_; }
-  std::ofstream& out() { return out_; }
-  // Gives the file its name.
-  std::error_code finish(const std::filesystem::path& target) {
-    const std::lock_guard lock(unfinished().mutex);
-    std::error_code error;
-    std::filesystem::rename(path_, target, error);
-    if (error) return error;
-    path_.clear();
-    unfinished().path.clear();
-    return error;
-  }
+[[noreturn]] void can_not_write(const std::string& path, const std::string& why) {
+  throw UsageError(path + ": can not be written: " + why);
+}
 
- private:
-  std::string path_;
-  std::ofstream out_;
+// Where an output goes.
+struct Target {
+  fs::path path;    // through links
+  bool whole;       // a regular file, there or not: to be replaced; else written to as it is
+  fs::perms mode;   // of the new file
 };
+
+Target target_of(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    if (fs::is_directory(status)) can_not_write(path, "it is a folder");
+    return {path, false, {}};
+  }
+  fs::path target = path;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error || links == 40) can_not_write(path, error ? error.message() : "too many links");
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  // As an ordinary new file would be, or as the file that is replaced was.
+  const mode_t mask = umask(0);
+  umask(mask);
+  return {target, true, fs::exists(status) ? status.permissions() : static_cast<fs::perms>(0666 & ~mask)};
+}
 
 }  // namespace
 
@@ -107,12 +110,35 @@ std::string one_line(std::string text) {
   return text;
 }
 
+void unblock_signals() {
+  const sigset_t blocked = ending_signals();
+  pthread_sigmask(SIG_UNBLOCK, &blocked, nullptr);
+}
+
+bool is_exhaustion(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+  const auto* const refused = dynamic_cast<const std::system_error*>(&error);
+  return refused != nullptr && refused->code() == std::errc::resource_unavailable_try_again;  // a thread
+}
+
+std::string version_and_build(const std::string& version) {
+  std::ifstream self("/proc/self/exe", std::ios::binary);
+  if (!self) return version;
+  boost::crc_32_type crc;
+  std::array<char, 1 << 16> piece;
+  while (self.read(piece.data(), piece.size()) || self.gcount() > 0)
+    crc.process_bytes(piece.data(), static_cast<std::size_t>(self.gcount()));
+  std::array<char, 9> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x", crc.checksum());
+  return version + " (build " + digits.data() + ")";
+}
+
 int run(std::string_view name, const std::function<int()>& body) {
-  // A file that grows beyond its limit is an error to report, like a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
-  end_on_signals();
   const auto say = [name](const char* what) { std::cerr << one_line(std::string(name) + ": " + what) << '\n'; };
   try {
+    // A file that grows beyond its limit is an error to report, like a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
+    end_on_signals();
     const int code = body();
     std::cout.flush();
     if (!std::cout) throw UsageError("standard output can not be written");
@@ -126,10 +152,11 @@ int run(std::string_view name, const std::function<int()>& body) {
   } catch (const std::invalid_argument& error) {
     say(error.what());
     return kBadInput;
-  } catch (const std::bad_alloc&) {
-    say("out of memory");
-    return kUndecided;
   } catch (const std::exception& error) {
+    if (is_exhaustion(error)) {
+      say(dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "out of memory" : "out of threads");
+      return kUndecided;
+    }
     say((std::string("internal error: ") + error.what()).c_str());
     return kCheckFailed;
   }
@@ -183,41 +210,103 @@ Range parse_range(std::string_view text, std::string_view what) {
   return range;
 }
 
-void write_text(const std::string& path, std::string_view text) {
-  namespace fs = std::filesystem;
+struct Outputs::Output {
+  std::string path;   // as it was given
+  fs::path target;
+  std::string temporary;  // "" if the text is written to the target as it is
+  std::string text;       // if so
+};
+
+Outputs::Outputs() = default;
+Outputs::Outputs(Outputs&&) noexcept = default;
+
+Outputs::~Outputs() {
+  const std::lock_guard lock(unfinished().mutex);
+  for (const Output& output : outputs_) {
+    if (output.temporary.empty()) continue;
+    unlink(output.temporary.c_str());
+    unfinished().paths.erase(output.temporary);
+  }
+}
+
+void Outputs::add(const std::string& path, std::string text) {
   if (path == "-") {
-    std::cout << text;
+    outputs_.push_back({path, {}, "", std::move(text)});
     return;
   }
-  const auto fail = [&path](const std::string& why) { throw UsageError(path + ": can not be written: " + why); };
-  // Through links to what they name. A device or a pipe is written to, never replaced.
-  std::error_code error;
-  fs::path target = path;
-  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
-    const fs::path next = fs::read_symlink(target, error);
-    if (error || links == 40) fail(error ? error.message() : "too many links");
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  const fs::file_status status = fs::status(target, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    std::ofstream out(target, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) fail(fs::is_directory(status) ? "it is a folder" : "output error");
+  const Target target = target_of(path);
+  if (std::any_of(outputs_.begin(), outputs_.end(), [&](const Output& o) { return o.target == target.path; }))
+    can_not_write(path, "another output goes there");
+  outputs_.push_back({path, target.path, "", ""});
+  Output& output = outputs_.back();
+  if (!target.whole) {
+    output.text = std::move(text);
     return;
   }
-  UnfinishedFile temporary(target.string() + ".XXXXXX");
-  if (temporary.path().empty()) fail(std::strerror(errno));
-  std::ofstream& out = temporary.out();
+  std::ofstream out;
+  {
+    std::string temporary = target.path.string() + ".XXXXXX";
+    const std::lock_guard lock(unfinished().mutex);
+    const int descriptor = mkstemp(temporary.data());
+    if (descriptor < 0) can_not_write(path, std::strerror(errno));
+    // Opened before a signal can remove the file; opened afterwards, it would be made anew.
+    out.open(temporary, std::ios::binary);
+    close(descriptor);
+    unfinished().paths.insert(temporary);
+    output.temporary = std::move(temporary);
+  }
   out << text;
   out.close();
-  if (!out) fail(std::strerror(errno));
-  // As an ordinary new file would be, or as the file that is replaced was.
-  const mode_t mask = umask(0);
-  umask(mask);
-  const auto usual = static_cast<fs::perms>(0666 & ~mask);
-  fs::permissions(temporary.path(), fs::exists(status) ? status.permissions() : usual, error);
-  if (const std::error_code refused = temporary.finish(target)) fail(refused.message());
+  if (!out) can_not_write(path, std::strerror(errno));
+  std::error_code error;
+  fs::permissions(output.temporary, target.mode, error);
+}
+
+void Outputs::commit() {
+  for (const Output& output : outputs_) {
+    if (!output.temporary.empty() || output.path == "-") continue;
+    const auto broken_pipe = std::signal(SIGPIPE, SIG_IGN);  // is an error here, not the end: there are temporary files
+    std::ofstream out(output.target, std::ios::binary);
+    out << output.text << std::flush;
+    std::signal(SIGPIPE, broken_pipe);
+    if (!out) can_not_write(output.path, "output error");
+  }
+  {
+    const std::lock_guard lock(unfinished().mutex);
+    for (Output& output : outputs_) {
+      if (output.temporary.empty()) continue;
+      std::error_code error;
+      fs::rename(output.temporary, output.target, error);
+      if (error) can_not_write(output.path, error.message());
+      unfinished().paths.erase(output.temporary);
+      output.temporary.clear();
+    }
+  }
+  for (const Output& output : outputs_) {
+    if (output.path == "-") std::cout << output.text;  // run() sees whether it could be written
+  }
+  outputs_.clear();
+}
+
+void write_text(const std::string& path, std::string text) {
+  Outputs outputs;
+  outputs.add(path, std::move(text));
+  outputs.commit();
+}
+
+void require_writable(const std::string& path) {
+  if (path == "-") return;
+  const Target target = target_of(path);
+  const auto require = [&path](const fs::path& what, int access) {
+    if (faccessat(AT_FDCWD, what.c_str(), access, AT_EACCESS) != 0) can_not_write(path, std::strerror(errno));
+  };
+  if (!target.whole) {
+    require(target.path, W_OK);
+    return;
+  }
+  struct stat now {};
+  if (stat(target.path.c_str(), &now) != 0 && errno != ENOENT) can_not_write(path, std::strerror(errno));
+  require(target.path.has_parent_path() ? target.path.parent_path() : fs::path("."), W_OK | X_OK);
 }
 
 Progress::Progress(std::string what, std::int64_t total, bool quiet)

@@ -547,7 +547,7 @@ TEST_CASE("atomic operations keep features, or say that they can not", "[atomic]
 TEST_CASE("requad-edit atomic lists, makes and refuses", "[atomic][programs]") {
   using nlohmann::json;
   const Region region = neighbourhood(3);
-  save_region((tests::scratch() / "v3.obj").string(), region);
+  tests::spill(tests::scratch() / "v3.obj", obj_text(region));
   const VertexId v = vertex_of(region.mesh, 3);
   const VertexId w = region.mesh.target(region.mesh.out(v));
   const std::string at = "atomic v3.obj " + std::to_string(v.index() + 1);

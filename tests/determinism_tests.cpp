@@ -1,14 +1,25 @@
 // The same input gives the same output, bit by bit: whatever the number of threads, the locale, the addresses of
-// memory, what memory holds at first; and the build type, if REQUAD_OTHER_BUILD names the folder of another build of
-// the same sources, as tests/run does.
+// memory, what memory holds at first; and, where no position is computed, the build type and the compiler, if
+// REQUAD_OTHER_BUILD names the folder of another build of the same sources, as tests/run does.
 #include <algorithm>
+#include <clocale>
 #include <cstdlib>
+#include <locale>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "enumerate/generators.hpp"
+#include "figures/graph_files.hpp"
+#include "figures/grid_picture.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/pair_moves.hpp"
+#include "mesh/polygon_file.hpp"
+#include "mesh/script.hpp"
+#include "mesh/signature.hpp"
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
+#include "verify/report.hpp"
 
 using namespace requad;
 namespace fs = std::filesystem;
@@ -50,6 +61,78 @@ const std::vector<std::string> kDiscrete{
 
 }  // namespace
 
+namespace {
+
+// A variant that can not be had here, as in a container that denies it, is left out, with a warning.
+bool is_to_be_had(const std::string& variant) {
+  tests::spill(tests::scratch() / "script", variant + " true\n");
+  if (tests::call("edit", "--version >/dev/null; bash script").code == 0) return true;
+  WARN("skipped: " << variant << " can not be had here");
+  return false;
+}
+
+// "VARIABLES" that make a program with decimal commas; "" and a warning where the system's sources of locales are missing.
+std::string decimal_commas() {
+  const std::string folder = (tests::scratch() / "locales").string();
+  fs::create_directory(folder);
+  tests::spill(tests::scratch() / "script", "localedef -i de_DE -f UTF-8 '" + folder + "/de_DE.UTF-8' 2>/dev/null && LOCPATH='" + folder +
+                                                "' LC_ALL=de_DE.UTF-8 /usr/bin/printf %.1f 1,5\n");
+  if (tests::call("edit", "--version >/dev/null; bash script").out == "1,5") return "LOCPATH='" + folder + "' LC_ALL=de_DE.UTF-8";
+  WARN("skipped: there is no locale with decimal commas here; the package locales has the sources");
+  return "";
+}
+
+// What a user's program may have set for itself.
+class Commas : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\1"; }
+};
+
+}  // namespace
+
+TEST_CASE("no text of the libraries depends on the locale that a program has set", "[determinism]") {
+  const auto all = [] {
+    const theory::PairType type = theory::kDigon;
+    const mesh::Region region = enumerate::glue_region(type, theory::parameter_set(type, theory::to_vector({12, 12})).front());
+    verify::Ranges ranges;
+    ranges.digon = {3, 12};
+    const verify::Claim& claim = *std::find_if(verify::claims().begin(), verify::claims().end(), [](const auto& c) { return c.id == "T2"; });
+    const auto result = verify::run_campaign({&claim}, verify::list_cases(ranges, claim.families), {verify::Method::moves},
+                                             {.threads = 1, .quiet = true});
+    const figures::GridFigure figure = figures::figure_10(12);
+    const mesh::Surface surface = mesh::to_quad_mesh(mesh::parse_obj(mesh::obj_text(region), "a region"));
+    mesh::QuadMesh m = surface.mesh;
+    mesh::Positions positions = surface.positions;
+    mesh::Editor editor(m, nullptr, &positions);
+    const auto irregular = mesh::irregular_vertices(m);
+    REQUIRE(mesh::move_pair(editor, mesh::pair_moves(m, irregular.at(0), irregular.at(1)).at(0)).refusal == mesh::Refusal::none);
+    return std::vector<std::string>{mesh::obj_text(m, positions),
+                                    mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)),
+                                    mesh::signature(region),
+                                    verify::report_text(result, ranges),
+                                    figures::to_dot(figure),
+                                    figures::render(figures::paint_grid(figure), "svg")};
+  };
+  const std::vector<std::string> expected = all();
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Commas));
+  const std::string variables = decimal_commas();
+  if (!variables.empty()) {
+    setenv("LOCPATH", (tests::scratch() / "locales").c_str(), 1);
+    REQUIRE(std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr);
+  }
+  const std::vector<std::string> now = all();
+  std::setlocale(LC_ALL, "C");
+  unsetenv("LOCPATH");
+  std::locale::global(before);
+  REQUIRE(now.size() == expected.size());
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const auto differs = std::mismatch(now[i].begin(), now[i].end(), expected[i].begin(), expected[i].end()).first - now[i].begin();
+    INFO("text " << i << ": ..." << now[i].substr(static_cast<std::size_t>(std::max<std::ptrdiff_t>(differs - 40, 0)), 80));
+    CHECK((now[i] == expected[i]));
+  }
+}
+
 TEST_CASE("the same input gives the same output", "[determinism]") {
   // A mesh with something to reduce: a filling with three irregular vertices and its boundary.
   REQUIRE(tests::call("enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o '" +
@@ -58,12 +141,16 @@ TEST_CASE("the same input gives the same output", "[determinism]") {
   std::vector<std::string> commands = kDiscrete;
   commands.push_back("edit smooth ../in.obj -o smooth.obj --json -");
   commands.push_back("edit reduce ../in.obj -o reduced.obj --script edits.txt");
+  std::vector<std::string> variants{"LC_ALL=C.UTF-8", "MALLOC_PERTURB_=85"};
+  if (const std::string commas = decimal_commas(); !commas.empty()) variants.push_back(commas);
+  for (const char* variant : {"setarch -R", "taskset 1"}) {
+    if (is_to_be_had(variant)) variants.emplace_back(variant);
+  }
   for (const std::string& command : commands) {
     INFO(command);
     const std::string expected = outputs("", REQUAD_PROGRAM_DIR, command);
     CHECK(expected.size() > 20);
-    for (const char* variant :
-         {"LC_ALL=C.UTF-8", "LC_ALL=de_DE.UTF-8", "MALLOC_PERTURB_=85", "setarch -R", "taskset 1"}) {
+    for (const std::string& variant : variants) {
       INFO(variant);
       CHECK(outputs(variant, REQUAD_PROGRAM_DIR, command) == expected);
     }

@@ -208,7 +208,7 @@ TEST_CASE("The examples' inputs are the models with their defects", "[examples]"
     INFO(name);
     const Surface made = make();
     const std::string written = (tests::scratch() / (std::string(name) + ".obj")).string();
-    save_obj(written, made.mesh, made.positions);
+    tests::spill(written, obj_text(made.mesh, made.positions));
     INFO("as it is now: " << written);
     CHECKED_ELSE(std::filesystem::exists(example(name))) { continue; }
     const Surface now = read_surface(written, false);

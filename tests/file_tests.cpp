@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <random>
-#include <sstream>
 
 #include "mesh/diagnosis.hpp"
 #include "mesh/feature_detection.hpp"
@@ -61,12 +60,6 @@ std::string obj(int vertices, const std::vector<std::vector<int>>& faces) {
     text += "\n";
   }
   return text;
-}
-
-std::string written(const QuadMesh& m, const Positions& positions) {
-  std::ostringstream out;
-  write_obj(out, m, positions);
-  return out.str();
 }
 
 }  // namespace
@@ -298,7 +291,7 @@ TEST_CASE("what was read is written to the same bits, in the same order", "[file
     positions.push_back(p);
   }
   positions[0] = {-0.0, 5e-324, 0.1 + 0.2};
-  const std::string text = written(m, positions);
+  const std::string text = obj_text(m, positions);
   const Surface back = to_quad_mesh(parse_obj(text, "file"));
   CHECK(back.mesh == m);
   REQUIRE(back.positions.size() == positions.size());
@@ -307,7 +300,7 @@ TEST_CASE("what was read is written to the same bits, in the same order", "[file
       CHECK(std::bit_cast<std::uint64_t>(back.positions[v][k]) == std::bit_cast<std::uint64_t>(positions[v][k]));
     }
   }
-  CHECK(written(back.mesh, back.positions) == text);
+  CHECK(obj_text(back.mesh, back.positions) == text);
 }
 
 TEST_CASE("subdividing: V' = V + E + F, F' = the corners, the vertices in front", "[files]") {
@@ -432,7 +425,7 @@ TEST_CASE("real meshes are what their collection says", "[files][real]") {
     CHECK(irregular == row.irregular);
     if (row.inverted >= 0) CHECK(d.inverted == row.inverted);
 
-    const Surface back = to_quad_mesh(parse_obj(written(s.mesh, s.positions), "file"));
+    const Surface back = to_quad_mesh(parse_obj(obj_text(s.mesh, s.positions), "file"));
     CHECK(back.mesh == s.mesh);
     CHECK(back.positions == s.positions);
   }

@@ -221,6 +221,14 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   refused(shell(edit + "/dev/full"), before, {"/dev/full"});
   refused(shell(path_of("edit") + " info in.obj >/dev/full"), before, {"standard output"});
   CHECK(fs::is_character_file("/dev/full"));
+  // Two outputs to one place, one after another.
+  refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs can not both go to out.obj"});
+  // Before any work: this would take hours.
+  refused(shell("timeout 20 " + path_of("verify") + " --digon 3..100 --hexagon 3..40 --json nowhere/report.json"), before,
+          {"nowhere/report.json", "No such file"});
+  refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."), before,
+          {"folder"});
+  refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before, {"is not a folder"});
   // A disk that becomes full in the middle: a limit of 1 KiB on the size of files.
   for (const char* name : {"out.obj", "old.obj"}) {
     refused(shell("ulimit -f 1; " + edit + name), before, {name, "too large"});
@@ -228,6 +236,21 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   }
   refused(shell("ulimit -f 1; " + path_of("figures") + " --figure 10 --side 12 --format svg -o ."), before,
           {"figure-10.svg", "too large"});
+  // What has room is not left behind without the rest: the edits' script, which is short, and a figure that is small.
+  spill(scratch() / "old.txt", "the old script");
+  const auto with_script = files();
+  refused(shell("ulimit -f 8; " + path_of("edit") + " move '" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj' 153 163 --step slide_first" +
+                " --script old.txt -o out.obj"),
+          with_script, {"out.obj", "too large"});
+  CHECK(slurp(scratch() / "old.txt") == "the old script");
+  CHECK(shell(path_of("edit") + " move '" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj' 153 163 --step slide_first" +
+              " --script short.txt -o - >long.obj")
+            .code == 0);
+  CHECK(fs::file_size(scratch() / "short.txt") < 8192);
+  refused(shell("ulimit -f 30; " + path_of("figures") + " --figure 10 --side 12 --format dot --format svg -o ."), files(),
+          {"figure-10.", "too large"});
+  // Not to a file at all: a pipe by the name that programs have for it.
+  CHECK((shell(edit + "/dev/stdout --quiet | cat").out == shell(edit + "-").out));
   // A folder without permission; root may write anywhere, unless that right is taken away.
   fs::create_directory(scratch() / "locked");
   spill(scratch() / "locked/kept.obj", "kept");
@@ -286,4 +309,26 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
   CHECK(interrupt(path_of("verify") + " --claim T2 --digon 3..6 --json report.json >/dev/null", "report.json", "INT") >
         0);
   CHECK(interrupt(path_of("figures") + " --figure 10 --side 10 --format svg -o .", "figure-10.svg", "KILL") > 0);
+}
+
+TEST_CASE("running out of memory is no failure of a claim", "[hostile]") {
+  if (tests::kSanitized) return;
+  const Outcome outcome = shell("ulimit -v 44000; " + path_of("verify") +
+                                " --claim T2 --method moves --digon 70..80 --threads 1 --quiet --journal run.journal");
+  CHECK(outcome.code == 3);
+  CHECK(outcome.err == "requad-verify: out of memory\n");
+  CHECK(outcome.out.empty());
+  CHECK(slurp(scratch() / "run.journal").find("violation") == std::string::npos);
+}
+
+TEST_CASE("the certificates' checker ends by a signal, and keeps to one line", "[hostile]") {
+  // One that waits for its manifest for ever.
+  fs::create_directory(scratch() / "waiting");
+  REQUIRE(mkfifo((scratch() / "waiting/MANIFEST").c_str(), 0600) == 0);
+  for (const char* signal : {"INT", "TERM", "HUP"})
+    CHECK(shell("timeout -k 5 -s " + std::string(signal) + " 1 " + path_of("verify") + " check waiting").code == 124);
+  const auto before = files();
+  refused(shell(path_of("verify") + " check $'no\nsuch'"), before, {"no?such/MANIFEST"});
+  REQUIRE(call("verify", "--claim T2 --digon 3..4 --certificate proof --quiet").code == 0);
+  refused(shell(path_of("verify") + " check proof >/dev/full"), files(), {"standard output"});
 }

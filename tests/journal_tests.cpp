@@ -1,7 +1,10 @@
 // Journals: what a killed run leaves is enough to go on, and nothing is lost, counted twice or taken from another run.
 // And reports that do not depend on threads.
+#include <filesystem>
 #include <fstream>
 #include <regex>
+
+#include <sys/stat.h>
 
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
@@ -139,6 +142,11 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
     CHECK(slurp(path) == text);
   }
   CHECK(refusal(scratch().string(), "run a").find("can not be opened") != std::string::npos);
+  // What has no end, and what can not be gone back in.
+  CHECK(refusal("/dev/zero", "run a") == "--journal: /dev/zero: is no regular file");
+  const std::string pipe = (scratch() / "pipe.journal").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(refusal(pipe, "run a") == "--journal: " + pipe + ": is no regular file");
 }
 
 TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
@@ -171,8 +179,37 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
   CHECK(other.code == 2);
   CHECK(line_count(other.err) == 1);
-  CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 claims T2 T4 M1; digon 3..16;") != std::string::npos);
+  CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 (build ") != std::string::npos);
+  CHECK(other.err.find(") claims T2 T4 M1; digon 3..16;") != std::string::npos);
   CHECK(slurp(journal) == full);
+
+  // Another build's, though the version is the same: a program with a byte more at its end, which nothing reads.
+  std::filesystem::copy_file(REQUAD_PROGRAM_DIR "/requad-verify", scratch() / "requad-verify");
+  std::ofstream(scratch() / "requad-verify", std::ios::app) << '\n';
+  const Outcome build = call("edit", "--version >/dev/null; ./requad-verify " + kRun + "--journal killed.journal");
+  CHECK(build.code == 2);
+  CHECK(build.err.find("line 1: it belongs to another run: requad-verify 0.1.0 (build ") != std::string::npos);
+  CHECK(slurp(journal) == full);
+}
+
+TEST_CASE("a journal that the disk has no room for ends the run, and can be gone on with", "[journal]") {
+  const Outcome at_once = call("verify", kRun + "--json at-once.json");
+  REQUIRE(at_once.code == 0);
+  // A limit of 4 KiB on the size of files; the report is larger, but nothing is left to do for it then.
+  const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " + kRun +
+                                        "--threads 2 --journal full.journal");
+  INFO(full.err);
+  CHECK(full.code == 2);
+  CHECK(line_count(full.err) == 1);
+  CHECK(full.err.find("--journal: full.journal: can not be written: File too large") != std::string::npos);
+  const std::string kept = slurp(scratch() / "full.journal");
+  CHECK(line_count(kept) > 3);
+  CHECK(kept.ends_with('\n'));
+  CHECK(kept.size() < 4096);
+  const Outcome rest = call("verify", kRun + "--json rest.json --journal full.journal");
+  CHECK(rest.code == 0);
+  CHECK(slurp(scratch() / "full.journal").starts_with(kept));
+  CHECK(without_seconds(slurp(scratch() / "rest.json")) == without_seconds(slurp(scratch() / "at-once.json")));
 }
 
 TEST_CASE("verify walks alone, far beyond what moves and search can do", "[journal]") {

@@ -26,12 +26,6 @@ using requad::tests::spill;
 
 namespace {
 
-std::string obj(const QuadMesh& m, const Positions& positions) {
-  std::ostringstream out;
-  write_obj(out, m, positions);
-  return out.str();
-}
-
 Surface read_back(const std::string& text) { return to_quad_mesh(parse_obj(text, "read back")); }
 
 bool same_positions(const QuadMesh& m, const Positions& a, const Positions& b) {
@@ -81,7 +75,7 @@ struct Workshop {
 Surface crooked_torus(int columns, int rows) {
   std::mt19937 random(7);
   const QuadMesh m = tests::torus(columns, rows);
-  return read_back(obj(m, tests::random_positions(m, random)));
+  return read_back(obj_text(m, tests::random_positions(m, random)));
 }
 
 // What is said of a script that is parsed, and replayed on a copy of the surface; "" if nothing is.
@@ -177,7 +171,7 @@ TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and 
     CHECK(same_positions(input.mesh, again.positions, input.positions));
 
     // W3, from the file
-    Surface output = read_back(obj(made.m, made.positions));
+    Surface output = read_back(obj_text(made.m, made.positions));
     restore_ids(script, output);
     CHECK(validate(output.mesh).empty());
     CHECK(output.mesh == made.m);
@@ -187,7 +181,7 @@ TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and 
     REQUIRE(replay(back.editor, inverse(script)).refusal == Refusal::none);
     CHECK(back.m == input.mesh);
     CHECK(same_positions(input.mesh, back.positions, input.positions));
-    CHECK(obj(back.m, back.positions) == obj(input.mesh, input.positions));
+    CHECK(obj_text(back.m, back.positions) == obj_text(input.mesh, input.positions));
   }
 }
 
@@ -243,7 +237,7 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
 
     // Undoing from the file maps back what there is to map, and nothing else.
     const Script script = w.record();
-    Surface output = read_back(obj(w.m, w.positions));
+    Surface output = read_back(obj_text(w.m, w.positions));
     restore_ids(script, output);
     Workshop back(output);
     REQUIRE(replay(back.editor, inverse(script)).refusal == Refusal::none);
@@ -363,7 +357,7 @@ TEST_CASE("Law W4: scripts that are refused, and where", "[script]") {
   Surface other_order = surface;
   other_order.mesh = QuadMesh::from_faces(16, faces);
   CHECK(complaint(other_order, good) == as_many);
-  const Surface made = read_back(obj(w.m, w.positions));
+  const Surface made = read_back(obj_text(w.m, w.positions));
   const std::string other_end = " this mesh is the other end of the script, done or undone already";
   CHECK(complaint(made, good) == other_end);
   Surface no_result = surface;
@@ -412,7 +406,7 @@ TEST_CASE("Law W4: a broken script changes nothing, however it is broken", "[scr
   Workshop w(surface);
   w.edit(60, random);
   const std::string good = to_string(w.record());
-  const Surface result = read_back(obj(w.m, w.positions));
+  const Surface result = read_back(obj_text(w.m, w.positions));
   const std::string letters = "0123456789-. \nemsplitcollapse#\\";
   int refused = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -455,7 +449,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
   const Region region = tests::grid(4, 4);
   Positions positions;
   for (int v = 0; v < 25; ++v) positions.push_back({v / 5 * 1.0, v % 5 * 1.0, 0});
-  const Surface surface = read_back(obj(region.mesh, positions));
+  const Surface surface = read_back(obj_text(region.mesh, positions));
   Workshop w(surface);
   const VertexId a(12), b(13);
   w.editor.place(VertexId(6), {1, 1, 0.25});
@@ -493,7 +487,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   std::mt19937 random(3);
   Workshop w(crooked_torus(6, 5));
   w.edit(300, random);
-  const std::string in = obj(w.input.mesh, w.input.positions), out = obj(w.m, w.positions);
+  const std::string in = obj_text(w.input.mesh, w.input.positions), out = obj_text(w.m, w.positions);
   // An unused vertex in front, which is dropped, so that vertices of the file and of the mesh are not the same.
   const auto shifted = [](const std::string& text) {
     std::string result = "v 9 9 9\n";
@@ -594,7 +588,7 @@ TEST_CASE("requad-edit --script: what editing commands write can be applied and 
   const auto path = tests::real_mesh("spot");
   if (!path) return;
   const Surface input = read_surface(*path, false);
-  const std::string in = obj(input.mesh, input.positions);
+  const std::string in = obj_text(input.mesh, input.positions);
   std::map<int, int> number;
   for (const VertexId v : input.mesh.vertices()) number.emplace(input.mesh.valence(v), input.file_vertex[v.slot()] + 1);
   const std::string pair = " " + std::to_string(number.at(3)) + " " + std::to_string(number.at(5));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "enumerate/journal_file.hpp"
+#include "mesh/program.hpp"
 #include "verify/judging.hpp"
 
 namespace requad::verify {
@@ -36,11 +37,13 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
         const bool concerns = claim->families.count(region.family) > 0;
         result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
       } catch (const std::exception& error) {
+        if (program::is_exhaustion(error)) throw;
         result.judgements.push_back(failed(error));
       }
       result.seconds.push_back(since(judging));
     }
   } catch (const std::exception& error) {
+    if (program::is_exhaustion(error)) throw;
     result.judgements.assign(selected.size(), failed(error));
     result.seconds.assign(selected.size(), 0);
   }

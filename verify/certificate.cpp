@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mesh/program.hpp"
+#include "theory/joined.hpp"
 
 namespace requad::verify {
 
@@ -93,9 +94,7 @@ std::string certificate_text(const Study& s) {
     edges += "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " + mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
              script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
   }
-  std::string sides;
-  for (const auto side : s.region.sides) sides += " " + std::to_string(side);
-  return "requad certificate 1\npair " + s.region.type.name() + "\nsides" + sides + "\nconfigurations " + std::to_string(pairs) + "\nmerged " +
+  return "requad certificate 1\npair " + s.region.type.name() + "\nsides " + theory::joined(s.region.sides, " ") + "\nconfigurations " + std::to_string(pairs) + "\nmerged " +
          std::to_string(merged) + "\nedges " + std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
 }
 
@@ -104,6 +103,7 @@ int write_certificates(const std::string& folder, const std::vector<RegionCase>&
   std::filesystem::create_directories(folder, error);
   if (error) throw program::UsageError(folder + ": " + error.message());
   program::Progress progress("certificates", static_cast<std::int64_t>(cases.size()), quiet);
+  program::Outputs outputs;
   std::string manifest;
   int written = 0;
   for (const RegionCase& c : cases) {
@@ -111,14 +111,13 @@ int write_certificates(const std::string& folder, const std::vector<RegionCase>&
     if (c.family == Family::single_vertex || c.family == Family::three_vertices) continue;
     const Study s = study(c, {Method::moves});
     if (s.found.nodes.empty()) continue;
-    std::string file = c.type.name();
-    for (const auto side : c.sides) file += "-" + std::to_string(side);
-    file += ".txt";
-    program::write_text((std::filesystem::path(folder) / file).string(), certificate_text(s));
+    const std::string file = c.type.name() + "-" + theory::joined(c.sides, "-") + ".txt";
+    outputs.add((std::filesystem::path(folder) / file).string(), certificate_text(s));
     manifest += file + "\n";
     ++written;
   }
-  program::write_text((std::filesystem::path(folder) / "MANIFEST").string(), manifest);
+  outputs.add((std::filesystem::path(folder) / "MANIFEST").string(), manifest);
+  outputs.commit();
   return written;
 }
 

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <new>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -317,45 +318,67 @@ void check(Lines& lines) {
   lines.finish();
 }
 
-}  // namespace
+// One line on standard error, whatever is in the names.
+void say(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
+  }
+  std::cerr << "requad-verify-check: " << text << "\n";
+}
 
-int main(int argc, char** argv) {
-  const std::string first = argc == 2 ? argv[1] : "";
-  if (first == "--help") {
-    std::cout << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
-                 "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
-    return 0;
-  }
-  if (argc != 2) {
-    std::cerr << "requad-verify-check: expected one folder; see --help\n";
-    return 2;
-  }
-  std::ifstream manifest(first + "/MANIFEST");
+constexpr int kHolds = 0, kDoesNotHold = 1, kCanNotTell = 2;
+
+int check_folder(const std::string& folder) {
+  std::ifstream manifest(folder + "/MANIFEST");
   if (!manifest) {
-    std::cerr << "requad-verify-check: " << first << "/MANIFEST can not be read\n";
-    return 2;
+    say(folder + "/MANIFEST can not be read");
+    return kCanNotTell;
   }
   int checked = 0;
   std::set<std::string> files;
   for (std::string file; std::getline(manifest, file);) {
-    std::ifstream in(first + "/" + file);
+    std::ifstream in(folder + "/" + file);
     if (!in || file.find('/') != std::string::npos || !files.insert(file).second) {
-      std::cerr << "requad-verify-check: " << first << "/" << file << " can not be read, or is listed twice\n";
-      return 2;
+      say(folder + "/" + file + " can not be read, or is listed twice");
+      return kCanNotTell;
     }
     Lines lines(in);
     try {
       check(lines);
+    } catch (const std::bad_alloc&) {
+      say(file + " does not fit into memory");
+      return kCanNotTell;
     } catch (const std::exception& error) {
-      std::cerr << "requad-verify-check: " << file << ":" << lines.number() << ": " << error.what() << "\n";
-      return 1;
+      say(file + ":" + std::to_string(lines.number()) + ": " + error.what());
+      return kDoesNotHold;
     }
     ++checked;
   }
   if (checked == 0) {
-    std::cerr << "requad-verify-check: " << first << "/MANIFEST lists no certificate\n";
-    return 2;
+    say(folder + "/MANIFEST lists no certificate");
+    return kCanNotTell;
   }
   std::cout << checked << " certificates hold\n";
-  return 0;
+  return kHolds;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string first = argc == 2 ? argv[1] : "";
+  if (argc != 2) {
+    say("expected one folder; see --help");
+    return kCanNotTell;
+  }
+  int code = kHolds;
+  if (first == "--help") {
+    std::cout << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
+                 "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
+  } else {
+    code = check_folder(first);
+  }
+  std::cout.flush();
+  if (std::cout) return code;
+  say("standard output can not be written");
+  return kCanNotTell;
 }

@@ -111,7 +111,7 @@ void write_violations(const verify::CampaignResult& result, const std::string& f
     if (!c.violation || !c.violation->mesh) continue;
     const std::string path = folder + "/violation-" + c.claim->id + ".obj";
     try {
-      mesh::save_region(path, *c.violation->mesh, {c.claim->id + ": " + c.violation->what});
+      program::write_text(path, mesh::obj_text(*c.violation->mesh, {c.claim->id + ": " + c.violation->what}));
       std::cerr << "requad-verify: the violating mesh of " << c.claim->id << " is in " << path << '\n';
     } catch (const UsageError& error) {
       std::cerr << "requad-verify: " << error.what() << '\n';  // the claim fails all the same
@@ -125,6 +125,7 @@ int check(const std::vector<std::string>& words, const char* self) {
   std::error_code error;
   const std::filesystem::path running = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string checker = ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
+  program::unblock_signals();
   execl(checker.c_str(), checker.c_str(), words[1].c_str(), static_cast<char*>(nullptr));
   throw UsageError("check: " + checker + " can not be started");
 }
@@ -158,8 +159,9 @@ struct Processes {
 int main_body(int argc, char** argv, Processes& processes) {
   const Options options(argc, argv,
                         {{"list", "proofs"},
-                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "html", "journal"},
-                         {"claim", "method"}});
+                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "journal"},
+                         {"claim", "method"},
+                         {"html"}});
   const auto leaves = [&] { return !processes.leads(); };  // what is printed is printed once
   if (leaves() && (options.has("help") || options.has("version") || options.has("list") || options.has("proofs") ||
                    !options.words().empty()))
@@ -176,9 +178,9 @@ int main_body(int argc, char** argv, Processes& processes) {
   const std::set<verify::Method> methods = methods_of(options);
   const std::vector<const verify::Claim*> selected = select(options, methods);
   if (options.has("proofs")) return print_proofs(selected);
-  options.one_on_stdout({"json", "html"});
   const std::string failures = options.text("failures", ".");
-  if (!std::filesystem::is_directory(failures)) throw UsageError("--failures: " + failures + " is not a folder");
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(failures, unknown)) throw UsageError("--failures: " + failures + " is not a folder");
   verify::Ranges ranges;
   const bool walks_alone = methods == std::set<verify::Method>{verify::Method::walk};
   ranges.digon = lengths(options, "digon", ranges.digon, 3, walks_alone ? 2000 : 100);
@@ -201,7 +203,7 @@ int main_body(int argc, char** argv, Processes& processes) {
   running.quiet = quiet;
   std::optional<verify::Journal> journal;
   if (options.has("journal")) {
-    const std::string name = verify::campaign_name(REQUAD_VERSION, selected, ranges, methods);
+    const std::string name = verify::campaign_name(program::version_and_build(REQUAD_VERSION), selected, ranges, methods);
     journal.emplace(options.text("journal"), name, list.cases.size(), selected.size());
     running.journal = &*journal;
   }
@@ -213,8 +215,10 @@ int main_body(int argc, char** argv, Processes& processes) {
   const verify::CampaignResult result = verify::run_campaign(selected, list, methods, running);
 
   const std::string json_path = options.text("json");
-  if (!json_path.empty()) program::write_text(json_path, verify::report_json(result, ranges).dump() + "\n");
-  if (options.has("html")) program::write_text(options.text("html"), verify::report_html(result, ranges));
+  program::Outputs outputs;
+  if (!json_path.empty()) outputs.add(json_path, verify::report_json(result, ranges).dump() + "\n");
+  if (options.has("html")) outputs.add(options.text("html"), verify::report_html(result, ranges));
+  outputs.commit();
   if (!quiet && json_path != "-" && !options.on_stdout("html")) std::cout << verify::report_text(result, ranges);
   write_violations(result, failures);
   if (options.has("certificate")) {

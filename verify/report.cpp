@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 #include "verify/errata.hpp"
@@ -81,6 +82,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
 
 std::string report_text(const CampaignResult& result, const Ranges& ranges) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   std::set<Family> families;
   for (const ClaimResult& c : result.claims) families.insert(c.claim->families.begin(), c.claim->families.end());
   for (const Family family : families) {

@@ -84,7 +84,7 @@ void fuzz::try_input(std::string_view text) {
     const Options options(static_cast<int>(arguments.size()), pointers.data(), table);
     // Each of these may refuse: it must not keep the others from being tried.
     accepts([&] { options.allow_only("command", {"output", "sides", "digon", "limit"}); });
-    accepts([&] { options.one_on_stdout({"json", "output"}); });
+    accepts([&] { options.require_outputs({"json", "output"}); });
     accepts([&] { options.integer("limit", 0, -5, 1000); });
     accepts([&] {
       const double angle = options.number("angle", 0, 0, 180);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "mesh/obj.hpp"
 #include "mesh/polygon_file.hpp"
@@ -30,9 +29,7 @@ inline void check_polygons(const mesh::PolygonMesh& m) {
 
 inline void check_surface(const mesh::Surface& s) {
   require(mesh::validate(s.mesh).empty(), "the mesh is not valid");
-  std::ostringstream out;
-  mesh::write_obj(out, s.mesh, s.positions);
-  const mesh::Surface again = mesh::to_quad_mesh(mesh::parse_obj(out.str(), "what was written"));
+  const mesh::Surface again = mesh::to_quad_mesh(mesh::parse_obj(mesh::obj_text(s.mesh, s.positions), "what was written"));
   require(again.mesh == s.mesh && same_bits(again.positions, s.positions), "what was written reads differently");
 }
 
