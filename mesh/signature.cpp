@@ -4,6 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace requad::mesh {
@@ -20,48 +23,100 @@ void write_number(std::string& text, std::uint32_t value) {
   text += kAlphabet[value];
 }
 
+// Walks a mesh from one root after another.
+class SignatureWriter {
+ public:
+  SignatureWriter(const QuadMesh& mesh, Orientation orientation)
+      : m_(mesh), mirrored_(orientation == Orientation::mirrored), number_(static_cast<std::size_t>(mesh.face_capacity()), -1) {
+    entered_.reserve(static_cast<std::size_t>(m_.face_count()));
+    text_.reserve(3 * static_cast<std::size_t>(m_.face_count()) + 16);
+  }
+
+  // Stops, and returns false, as soon as the text is seen to be greater than `least`; nothing to compare with is "".
+  bool write(HalfEdgeId root, const std::string& least = "") {
+    for (const HalfEdgeId h : entered_) number_[QuadMesh::face(h).slot()] = -1;
+    entered_.clear();
+    text_.clear();
+    bool is_less = least.empty();
+    std::size_t compared = 0;
+    meet(root);
+    for (std::size_t i = 0; i < entered_.size(); ++i) {
+      HalfEdgeId h = entered_[i];
+      for (int k = 0; k < 4; ++k, h = mirrored_ ? QuadMesh::previous(h) : QuadMesh::next(h)) {
+        const HalfEdgeId t = m_.twin(h);
+        if (!t.valid()) {
+          write_number(text_, 0);
+        } else if (number_[QuadMesh::face(t).slot()] < 0) {
+          write_number(text_, 1);
+          meet(t);
+        } else {
+          const std::int32_t gap = place(t) - (4 * static_cast<std::int32_t>(i) + k);
+          // gap < 0: the edge was written when its other side was taken
+          if (gap > 0) write_number(text_, static_cast<std::uint32_t>(gap) + 1);
+        }
+      }
+      // No signature starts another, so while the texts are alike each has a letter where the other has one.
+      for (; !is_less && compared < text_.size(); ++compared) {
+        if (text_[compared] > least[compared]) return false;
+        is_less = text_[compared] < least[compared];
+      }
+    }
+    return true;
+  }
+
+  const std::string& text() const { return text_; }
+  std::string take_text() { return std::move(text_); }
+  // The half-edge by which each face was entered, in the order of the faces.
+  const std::vector<HalfEdgeId>& entered() const { return entered_; }
+
+ private:
+  void meet(HalfEdgeId h) {
+    number_[QuadMesh::face(h).slot()] = static_cast<std::int32_t>(entered_.size());
+    entered_.push_back(h);
+  }
+  // In the order of half-edges, four for each face.
+  std::int32_t place(HalfEdgeId h) const {
+    const std::int32_t n = number_[QuadMesh::face(h).slot()];
+    const int corner = (h.index() - entered_[static_cast<std::size_t>(n)].index()) & 3;
+    return 4 * n + (mirrored_ ? (4 - corner) & 3 : corner);
+  }
+
+  const QuadMesh& m_;
+  bool mirrored_;
+  std::vector<std::int32_t> number_;  // by face, -1 while not met
+  std::vector<HalfEdgeId> entered_;
+  std::string text_;
+};
+
+// Half-edges that symmetries of the mesh take to each other, as far as symmetries are known.
+class Orbits {
+ public:
+  explicit Orbits(const QuadMesh& mesh) : parent_(static_cast<std::size_t>(mesh.half_edge_capacity())) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  // The symmetry that takes each entered half-edge to the other's in its place, and their faces along.
+  void add(const std::vector<HalfEdgeId>& from, const std::vector<HalfEdgeId>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      HalfEdgeId a = from[i], b = to[i];
+      for (int k = 0; k < 4; ++k, a = QuadMesh::next(a), b = QuadMesh::next(b)) parent_[representative(a)] = representative(b);
+    }
+  }
+  std::size_t representative(HalfEdgeId h) {
+    std::size_t i = h.slot();
+    for (; parent_[i] != i; i = parent_[i]) parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
 }  // namespace
 
 std::string signature(const QuadMesh& m, HalfEdgeId root, Orientation orientation) {
-  const bool mirrored = orientation == Orientation::mirrored;
-  const auto following = [mirrored](HalfEdgeId h) { return mirrored ? QuadMesh::previous(h) : QuadMesh::next(h); };
-
-  // Per face: its number and the half-edge it was entered by, -1 while not met. Four order places for each face.
-  std::vector<std::int32_t> number(static_cast<std::size_t>(m.face_capacity()), -1);
-  std::vector<HalfEdgeId> entered;
-  entered.reserve(static_cast<std::size_t>(m.face_count()));
-  const auto meet = [&](HalfEdgeId h) {
-    number[QuadMesh::face(h).slot()] = static_cast<std::int32_t>(entered.size());
-    entered.push_back(h);
-  };
-  const auto place = [&](HalfEdgeId h) {
-    const std::int32_t n = number[QuadMesh::face(h).slot()];
-    const int corner = (h.index() - entered[static_cast<std::size_t>(n)].index()) & 3;
-    return 4 * n + (mirrored ? (4 - corner) & 3 : corner);
-  };
-
-  std::string text;
-  text.reserve(3 * static_cast<std::size_t>(m.face_count()) + 16);
-  meet(root);
-  for (std::size_t i = 0; i < entered.size(); ++i) {
-    HalfEdgeId h = entered[i];
-    for (int k = 0; k < 4; ++k, h = following(h)) {
-      const HalfEdgeId t = m.twin(h);
-      if (!t.valid()) {
-        write_number(text, 0);
-      } else if (number[QuadMesh::face(t).slot()] < 0) {
-        write_number(text, 1);
-        meet(t);
-      } else {
-        const std::int32_t gap = place(t) - (4 * static_cast<std::int32_t>(i) + k);
-        if (gap > 0) {
-          // gap < 0: the edge was written when its other side was taken
-          write_number(text, static_cast<std::uint32_t>(gap) + 1);
-        }
-      }
-    }
-  }
-  return text;
+  SignatureWriter writer(m, orientation);
+  writer.write(root);
+  return writer.take_text();
 }
 
 std::string canonical_signature(const QuadMesh& m, Orientation orientation) {
@@ -71,12 +126,29 @@ std::string canonical_signature(const QuadMesh& m, Orientation orientation) {
   for (const VertexId v : m.vertices()) ++count[kind(v)];
   if (count.empty()) return "";
   const auto rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  SignatureWriter writer(m, orientation);
   std::string least;
+  std::vector<HalfEdgeId> entered;  // in the walk that made it
+  std::optional<Orbits> orbits;     // once a symmetry is known
+  std::vector<HalfEdgeId> tried;
+  std::set<std::size_t> tried_orbits;
   for (const HalfEdgeId h : m.half_edges()) {
     // Mirrored, a half-edge leaves what was its target: corresponding roots must be cut alike.
     if (kind(orientation == Orientation::kept ? m.origin(h) : m.target(h)) != rarest) continue;
-    std::string text = signature(m, h, orientation);
-    if (least.empty() || text < least) least = std::move(text);
+    if (orbits && tried_orbits.count(orbits->representative(h)) > 0) continue;
+    tried.push_back(h);
+    if (writer.write(h, least)) {
+      if (writer.text() == least) {
+        if (!orbits) orbits.emplace(m);
+        orbits->add(entered, writer.entered());
+        tried_orbits.clear();
+        for (const HalfEdgeId t : tried) tried_orbits.insert(orbits->representative(t));
+      } else {
+        least = writer.text();
+        entered = writer.entered();
+      }
+    }
+    if (orbits) tried_orbits.insert(orbits->representative(h));
   }
   return least;
 }

@@ -85,6 +85,10 @@ Judgement judge_detour(const Study& s) {
       j.violation = at_move(s, move, "the direct way removes a feature edge");
       return j;
     }
+    if (!(m == node.region.mesh)) {
+      j.violation = at_move(s, move, "the direct way was refused, and changed the mesh");
+      return j;
+    }
     mesh::Courier courier(editor);
     bool arrived = false;
     for (const VertexId p : {move.move.frame.v1, move.move.frame.v2}) {
@@ -98,6 +102,7 @@ Judgement judge_detour(const Study& s) {
         if (!kept) j.violation = at_move(s, move, "a courier sent round the feature removed it");
         if (known.count(result) == 0)
           j.violation = at_move(s, move, "a courier sent round a feature made a configuration that no move reaches");
+        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "a courier's way was not taken back");
         if (j.violation) return j;
       }
     }
