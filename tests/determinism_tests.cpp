@@ -1,6 +1,6 @@
 // The same input gives the same output, bit by bit: whatever the number of threads, the locale, the addresses of
-// memory, what memory holds at first; and, where no position is computed, the build type and the compiler, if
-// REQUAD_OTHER_BUILD names the folder of another build of the same sources, as tests/run does.
+// memory, what memory holds at first; and the build type and the compiler, if REQUAD_OTHER_BUILD names the folder of
+// another build of the same sources, as tests/run does.
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
@@ -26,14 +26,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A mesh with something to reduce, IN in the commands.
+const std::string kIn = "'" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj'";
+
 // Standard output and all that is left in the folder, less the seconds that a run took.
 std::string outputs(const std::string& variant, const std::string& folder, const std::string& command) {
   const fs::path out = tests::scratch() / "out";
   fs::remove_all(out);
   fs::create_directory(out);
   const std::size_t blank = command.find(' ');
-  tests::spill(tests::scratch() / "script", "cd out && " + variant + " '" + folder + "/requad-" +
-                                                command.substr(0, blank) + "' " + command.substr(blank) + "\n");
+  const std::string arguments = std::regex_replace(command.substr(blank), std::regex("\\bIN\\b"), kIn);
+  tests::spill(tests::scratch() / "script",
+               "cd out && " + variant + " '" + folder + "/requad-" + command.substr(0, blank) + "' " + arguments + "\n");
   const tests::Outcome outcome = tests::call("edit", "--version >/dev/null; timeout 300 bash script");
   INFO(variant << " requad-" << command << ": " << outcome.err);
   CHECK(outcome.code == 0);
@@ -47,7 +51,7 @@ std::string outputs(const std::string& variant, const std::string& folder, const
   return std::regex_replace(text, std::regex("\"seconds\":[-+.e0-9]+"), "");
 }
 
-const std::vector<std::string> kDiscrete{
+const std::vector<std::string> kCommands{
     "enumerate graph --sides 7,7 --pair 3-3 --json -",
     "enumerate graph --sides 5,5,5,5,5,5 --pair 5-5 --format dot -o found.dot --quiet",
     "enumerate search --sides 6,6,6 --irregular 3,3,5 --list",
@@ -56,8 +60,11 @@ const std::vector<std::string> kDiscrete{
     "enumerate path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o path.obj",
     "verify --claim T2 --claim T4 --claim N1 --digon 3..5 --quad-perimeter 8..10 --json report.json --certificate "
     "proof >/dev/null",
-    "figures --figure 10 --side 6 --format dot -o .",
+    "figures --figure 10 --figure 8 --side 6 --format dot --format svg -o .",
+    "edit smooth IN -o smooth.obj --iterations 20 --project --json -",
+    "edit reduce IN -o reduced.obj --script edits.txt",
 };
+
 
 }  // namespace
 
@@ -134,19 +141,12 @@ TEST_CASE("no text of the libraries depends on the locale that a program has set
 }
 
 TEST_CASE("the same input gives the same output", "[determinism]") {
-  // A mesh with something to reduce: a filling with three irregular vertices and its boundary.
-  REQUIRE(tests::call("enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 5,1 -o '" +
-                                       (tests::scratch() / "in.obj").string() + "'")
-              .code == 0);
-  std::vector<std::string> commands = kDiscrete;
-  commands.push_back("edit smooth ../in.obj -o smooth.obj --json -");
-  commands.push_back("edit reduce ../in.obj -o reduced.obj --script edits.txt");
   std::vector<std::string> variants{"LC_ALL=C.UTF-8", "MALLOC_PERTURB_=85"};
   if (const std::string commas = decimal_commas(); !commas.empty()) variants.push_back(commas);
   for (const char* variant : {"setarch -R", "taskset 1"}) {
     if (is_to_be_had(variant)) variants.emplace_back(variant);
   }
-  for (const std::string& command : commands) {
+  for (const std::string& command : kCommands) {
     INFO(command);
     const std::string expected = outputs("", REQUAD_PROGRAM_DIR, command);
     CHECK(expected.size() > 20);
@@ -167,7 +167,7 @@ TEST_CASE("another build of the same sources gives the same output", "[determini
     WARN("skipped: REQUAD_OTHER_BUILD is not set");
     return;
   }
-  for (const std::string& command : kDiscrete) {
+  for (const std::string& command : kCommands) {
     INFO(command);
     CHECK(outputs("", REQUAD_PROGRAM_DIR, command) == outputs("", other, command));
   }

@@ -228,6 +228,7 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
           {"nowhere/report.json", "No such file"});
   refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."), before,
           {"folder"});
+  refused(shell("timeout 20 " + path_of("verify") + " --hexagon 3..40 --certificate in.obj/proof"), before, {"in.obj/proof: Not a directory"});
   refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before, {"is not a folder"});
   // A disk that becomes full in the middle: a limit of 1 KiB on the size of files.
   for (const char* name : {"out.obj", "old.obj"}) {

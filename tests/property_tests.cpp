@@ -9,14 +9,19 @@
 #include <tuple>
 #include <vector>
 
+#include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
+#include "enumerate/realisation.hpp"
+#include "enumerate/search.hpp"
 #include "mesh/features.hpp"
+#include "mesh/pair_moves.hpp"
 #include "mesh/polygon_file.hpp"
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
 #include "tests/catch.hpp"
 #include "tests/properties.hpp"
 #include "tests/support.hpp"
+#include "theory/joined.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
@@ -45,7 +50,7 @@ BasicOperation operation_at(const QuadMesh& m, const Draw& draw) {
   return op;
 }
 
-// Where a case starts: a region of the census, a torus, the sphere of a cube, a grid, a mesh from a file.
+// Where a case starts: a region of the census, a torus, a sphere, a grid, a mesh from a file.
 struct Start {
   std::string name;
   QuadMesh mesh;
@@ -59,6 +64,10 @@ const std::vector<Start>& starts() {
                             {"grid 4 3", tests::grid(4, 3).mesh}};
     for (const std::string name : {"figure-16", "figure-17", "figure-18"}) {
       list.push_back({name, read_surface(REQUAD_SOURCE_DIR "/mesh/examples/" + name + ".obj", false).mesh});
+    }
+    for (const std::vector<int>& irregular : {std::vector<int>(8, 3), {3, 3, 3, 3, 3, 3, 3, 3, 3, 5}}) {
+      for (const std::string& text : enumerate::search_spheres(irregular, 14, {}).signatures)
+        list.push_back({"sphere " + text, from_signature(text).mesh});
     }
     int n = 0;
     for (const auto& entry : tests::census(12, true)) {
@@ -217,15 +226,68 @@ TEST_CASE("signatures are equal exactly for isomorphic meshes", "[properties]") 
   });
 }
 
+namespace {
+
+struct Drawn {
+  theory::PairType type;
+  theory::Configuration configuration;
+};
+// Strips of at most 5 quads; merged ones among them.
+Drawn some_configuration() {
+  const theory::PairType type = *rc::gen::element(theory::kDigon, theory::kHexagon, theory::kQuad);
+  theory::Configuration c;
+  c.parameters.d1 = *rc::gen::inRange(0, 6);
+  c.parameters.d2 = *rc::gen::inRange(0, 6);
+  c.parameters.e.resize(type.side_count());
+  for (theory::Integer& e : c.parameters.e) e = *rc::gen::inRange(1, 6);
+  c.p = *rc::gen::inRange(1, type.side_count() + 1);
+  RC_PRE(theory::parameters_problem(type, c.parameters).empty());
+  RC_LOG() << type.name() << " " << theory::label(type, c) << ", sides " << theory::joined(theory::region_sides(type, c), ",") << "\n";
+  return {type, c};
+}
+
+}  // namespace
+
+TEST_CASE("random pair moves do what the query says, and their inverses and undo give the mesh back", "[properties]") {
+  holds("a walk in one region", [] {
+    const auto [type, c] = some_configuration();
+    Region region = enumerate::glue_region(type, c);
+    const std::vector<int> sides = side_lengths(region);
+    for (const auto& [choice, unused, also_unused] : *draws()) {
+      const auto moves = enumerate::moves_of(region, enumerate::read(region, type));
+      if (moves.empty()) break;
+      const PairMove& move = moves[choice % moves.size()];
+      const Region before = region;
+      RC_LOG() << name(move.step) << "\n";
+      const Refusal predicted = why_not_move_pair(region.mesh, move);
+      RC_ASSERT(region.mesh == before.mesh);
+      const MoveReport report = move_pair(region.mesh, move);
+      RC_ASSERT(report.refusal == predicted);
+      if (predicted != Refusal::none) {
+        RC_ASSERT(region.mesh == before.mesh);
+        continue;
+      }
+      RC_ASSERT(validate(region.mesh).empty());
+      RC_ASSERT(side_lengths(region) == sides);
+      Region back = region;
+      RC_ASSERT(move_pair(back.mesh, report.inverse).refusal == Refusal::none);
+      RC_ASSERT(signature(back) == signature(before));
+      QuadMesh undone = region.mesh;
+      RC_ASSERT(apply_all(undone, report.undo) == Refusal::none);
+      RC_ASSERT(undone == before.mesh);
+    }
+  });
+}
+
 TEST_CASE("the generators agree on random parameters", "[properties]") {
+  holds("realised and glued regions", [] {
+    const auto [type, c] = some_configuration();
+    const theory::IntegerVector sides = theory::region_sides(type, c);
+    const enumerate::Realisation made = enumerate::realise(type, sides, enumerate::simplest_configuration(type, sides), c);
+    RC_ASSERT(signature(made.region) == signature(enumerate::glue_region(type, c)));
+  });
   holds("grown and glued regions", [] {
-    const theory::PairType type = *rc::gen::element(theory::kDigon, theory::kHexagon, theory::kQuad);
-    theory::Configuration c;
-    c.parameters.d1 = *rc::gen::inRange(0, 6);
-    c.parameters.d2 = *rc::gen::inRange(0, 6);
-    c.parameters.e.resize(type.side_count());
-    for (theory::Integer& e : c.parameters.e) e = *rc::gen::inRange(1, 6);
-    c.p = *rc::gen::inRange(1, type.side_count() + 1);
+    const auto [type, c] = some_configuration();
     const Region grown = enumerate::grow_region(type, c);
     const Region glued = enumerate::glue_region(type, c);
     RC_ASSERT(validate(grown.mesh).empty());

@@ -31,8 +31,10 @@ namespace requad::verify {
 // The text of one region's certificate. Precondition: the study's moves found something, and their graph holds together.
 std::string certificate_text(const Study& study);
 
-// Explores every case of the list again and writes its certificate into an existing or new folder. Returns their number.
-// Throws program::UsageError if the folder can not be written.
+// Before work that ends in certificates: throws program::UsageError if the folder can not be made or written to.
+void make_certificate_folder(const std::string& folder);
+// Explores every case of the list again and writes its certificate into the folder, all or none. Returns their number.
+// Throws program::UsageError.
 int write_certificates(const std::string& folder, const std::vector<RegionCase>& cases, bool quiet);
 
 }  // namespace requad::verify

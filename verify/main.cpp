@@ -198,6 +198,7 @@ int main_body(int argc, char** argv, Processes& processes) {
     processes.work([&](std::size_t i) { return verify::run_case(list.cases[i], selected, methods); });
     return program::kDone;
   }
+  if (options.has("certificate")) verify::make_certificate_folder(options.text("certificate"));
   verify::Running running;
   running.threads = options.threads();
   running.quiet = quiet;
