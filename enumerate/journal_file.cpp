@@ -110,6 +110,7 @@ void JournalFile::read(const std::string& program, const std::string& run,
     } catch (const UsageError& error) {
       refuse_line(line, error.what());
     } catch (const std::exception& error) {
+      if (program::is_exhaustion(error)) throw;
       refuse_line(line, std::string("it is no record: ") + error.what());
     }
     at = end + 1;

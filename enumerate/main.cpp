@@ -1,8 +1,8 @@
 // requad-enumerate: regions, configuration graphs and paths of moves.
 
 #include <algorithm>
-#include <iostream>
 #include <map>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -386,6 +386,7 @@ int main_body(int argc, char** argv) {
                                      {},
                                      {"output,o"}});
   if (program::answered(options, "requad-enumerate", REQUAD_VERSION, kHelp)) return program::kDone;
+  options.require_outputs();
   std::vector<std::string> words = options.words();
   if (words.empty()) throw UsageError("expected one of region, graph, path, search, sphere, signature; see --help");
   const std::string command = words.front();

@@ -46,7 +46,12 @@ void run_on_threads(std::size_t count, int threads, const std::function<void(std
         start.acquire();
         for (std::size_t i = next.fetch_add(1, std::memory_order_relaxed); i < count;
              i = next.fetch_add(1, std::memory_order_relaxed)) {
-          task(i);
+          try {
+            task(i);
+          } catch (...) {
+            next.store(count, std::memory_order_relaxed);  // what the others have not begun, nobody needs
+            throw;
+          }
         }
         end.release();
       },

@@ -1,7 +1,7 @@
 #include "figures/explorer_command.hpp"
 
 #include <algorithm>
-#include <iostream>
+#include <utility>
 
 #include "figures/explorer.hpp"
 

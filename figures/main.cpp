@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -55,7 +55,10 @@ Examples:
 std::vector<std::string> choose(const program::Options& options, const char* name, std::vector<std::string> fallback,
                                 const std::vector<std::string>& known) {
   if (!options.has(name)) return fallback;
-  std::vector<std::string> chosen = options.list(name);
+  std::vector<std::string> chosen;
+  for (const std::string& word : options.list(name)) {
+    if (std::find(chosen.begin(), chosen.end(), word) == chosen.end()) chosen.push_back(word);
+  }
   for (const std::string& word : chosen) {
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
     std::string expected;
@@ -92,6 +95,10 @@ int main_body(int argc, char** argv) {
     }
   }
   const std::string folder = options.text("output", ".");
+  program::require_folder(folder);
+  // A list of what was written may go into the folder, which may be new.
+  const std::filesystem::path list = std::filesystem::path(options.text("json")).lexically_normal();
+  if (list.parent_path() != (std::filesystem::path(folder) / "").lexically_normal().parent_path()) options.require_outputs();
   // All figures before the first file: nothing is written if one of them can not be made.
   struct Made {
     const figures::CatalogueEntry* entry;

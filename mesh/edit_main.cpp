@@ -51,6 +51,7 @@ int main_body(int argc, char** argv) {
     arguments.erase(argument);
     const Options options(static_cast<int>(arguments.size()), arguments.data(), command->options);
     if (program::answered(options, "requad-edit", REQUAD_VERSION, help({*command}).c_str())) return program::kDone;
+    options.require_outputs();
     return command->run(options);
   }
   const Options options(argc, argv, {});

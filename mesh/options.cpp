@@ -51,9 +51,7 @@ Options::Options(int argc, char** argv, const OptionTable& table) {
   }
   words_ = list(" words");
   threads();  // so that a bad one is refused whatever the command
-  std::vector<std::string> outputs{"json"};
-  for (const std::string& name : table.outputs) outputs.push_back(name.substr(0, name.find(',')));
-  require_outputs(outputs);
+  for (const std::string& name : table.outputs) outputs_.push_back(name.substr(0, name.find(',')));
 }
 
 std::string Options::text(const std::string& name, const std::string& fallback) const {
@@ -102,10 +100,9 @@ void Options::require_outputs(const std::vector<std::string>& names) const {
   std::set<std::string> places;
   for (const std::string& name : names) {
     if (!has(name)) continue;
-    const std::string place = text(name);
-    if (!places.insert(place).second)
-      throw UsageError("two outputs can not both go to " + (place == "-" ? "standard output" : place));
-    require_writable(place);
+    const std::string place = require_writable(text(name));
+    if (!place.empty() && !places.insert(place).second)
+      throw UsageError("two outputs can not both go to " + (place == "-" ? "standard output" : text(name)));
   }
 }
 

@@ -23,8 +23,7 @@ struct OptionTable {
 
 class Options {
  public:
-  // Throws UsageError for anything the table does not know, abbreviations included, and for outputs that can not be
-  // written or go to the same place: before any work.
+  // Throws UsageError for anything the table does not know; abbreviations are not guessed.
   Options(int argc, char** argv, const OptionTable& table);
 
   bool has(const std::string& name) const { return map_.count(name) != 0; }
@@ -40,13 +39,17 @@ class Options {
 
   // Throws UsageError if an option other than these and the common ones is given: `command` has no use for it.
   void allow_only(const std::string& command, std::initializer_list<const char*> names) const;
-  // Throws UsageError if one of these options names what can not be written, or two of them the same place.
+  // Before any work: throws UsageError if an output can not be written, or two of them would be one file or both go to
+  // standard output.
+  void require_outputs() const { require_outputs(outputs_); }
+  // These only.
   void require_outputs(const std::vector<std::string>& names) const;
   bool on_stdout(const std::string& name) const { return text(name) == "-"; }
 
  private:
   boost::program_options::variables_map map_;
   std::vector<std::string> words_;
+  std::vector<std::string> outputs_{"json"};
 };
 
 // How a command ends: its outputs, with the JSON where --json asks for it, are committed; then the text, on standard output

@@ -14,7 +14,6 @@
 #include <iostream>
 #include <mutex>
 #include <new>
-#include <set>
 #include <system_error>
 #include <thread>
 
@@ -43,24 +42,20 @@ Unfinished& unfinished() {
   return *it;
 }
 
-// Those that end the program; one that is ignored, as in the background, stays so.
-sigset_t ending_signals() {
-  sigset_t ending;
-  sigemptyset(&ending);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction now {};
-    sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_IGN) sigaddset(&ending, signal);
-  }
-  return ending;
-}
+sigset_t blocked_before_run;
 
 // Waits in a thread of its own for the signals that end a program, so that none comes between making a file and noting
 // that it was made. Threads that are started later inherit that the signals are blocked.
 void end_on_signals() {
-  const sigset_t awaited = ending_signals();
+  sigset_t awaited;
+  sigemptyset(&awaited);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction now {};
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler != SIG_IGN) sigaddset(&awaited, signal);  // one that is ignored, as in the background, stays so
+  }
   unfinished();
-  pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
+  pthread_sigmask(SIG_BLOCK, &awaited, &blocked_before_run);
   std::thread([awaited] {
     int signal = 0;
     if (sigwait(&awaited, &signal) != 0) return;
@@ -78,12 +73,20 @@ void end_on_signals() {
 
 // Where an output goes.
 struct Target {
-  fs::path path;    // through links
-  bool whole;       // a regular file, there or not: to be replaced; else written to as it is
-  fs::perms mode;   // of the new file
+  fs::path path;   // through links
+  bool whole;      // a regular file, there or not: to be replaced; else written to as it is
+  fs::perms mode;  // of the new file
+
+  // What tells files apart.
+  std::string place() const {
+    std::error_code error;
+    const fs::path canonical = whole ? fs::weakly_canonical(fs::absolute(path), error) : fs::path();
+    return error ? path.string() : canonical.string();
+  }
 };
 
 Target target_of(const std::string& path) {
+  if (path.empty()) throw UsageError("a file's name is expected, not nothing");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -110,9 +113,9 @@ std::string one_line(std::string text) {
   return text;
 }
 
-void unblock_signals() {
-  const sigset_t blocked = ending_signals();
-  pthread_sigmask(SIG_UNBLOCK, &blocked, nullptr);
+void restore_signals() {
+  std::signal(SIGXFSZ, SIG_DFL);
+  pthread_sigmask(SIG_SETMASK, &blocked_before_run, nullptr);
 }
 
 bool is_exhaustion(const std::exception& error) {
@@ -235,31 +238,29 @@ void Outputs::add(const std::string& path, std::string text) {
     return;
   }
   const Target target = target_of(path);
-  if (std::any_of(outputs_.begin(), outputs_.end(), [&](const Output& o) { return o.target == target.path; }))
-    can_not_write(path, "another output goes there");
-  outputs_.push_back({path, target.path, "", ""});
-  Output& output = outputs_.back();
   if (!target.whole) {
-    output.text = std::move(text);
+    outputs_.push_back({path, target.path, "", std::move(text)});
     return;
   }
+  if (!places_.insert(target.place()).second) can_not_write(path, "another output goes there");
+  Output output{path, target.path, target.path.string() + ".XXXXXX", ""};
   std::ofstream out;
   {
-    std::string temporary = target.path.string() + ".XXXXXX";
     const std::lock_guard lock(unfinished().mutex);
-    const int descriptor = mkstemp(temporary.data());
+    const int descriptor = mkstemp(output.temporary.data());
     if (descriptor < 0) can_not_write(path, std::strerror(errno));
     // Opened before a signal can remove the file; opened afterwards, it would be made anew.
-    out.open(temporary, std::ios::binary);
+    out.open(output.temporary, std::ios::binary);
     close(descriptor);
-    unfinished().paths.insert(temporary);
-    output.temporary = std::move(temporary);
+    unfinished().paths.insert(output.temporary);
   }
+  const std::string temporary = output.temporary;
+  outputs_.push_back(std::move(output));
   out << text;
   out.close();
   if (!out) can_not_write(path, std::strerror(errno));
   std::error_code error;
-  fs::permissions(output.temporary, target.mode, error);
+  fs::permissions(temporary, target.mode, error);
 }
 
 void Outputs::commit() {
@@ -294,19 +295,35 @@ void write_text(const std::string& path, std::string text) {
   outputs.commit();
 }
 
-void require_writable(const std::string& path) {
-  if (path == "-") return;
+namespace {
+
+void require_access(const std::string& path, const fs::path& what, int access) {
+  if (faccessat(AT_FDCWD, what.c_str(), access, AT_EACCESS) != 0) can_not_write(path, std::strerror(errno));
+}
+
+}  // namespace
+
+std::string require_writable(const std::string& path) {
+  if (path == "-") return path;
   const Target target = target_of(path);
-  const auto require = [&path](const fs::path& what, int access) {
-    if (faccessat(AT_FDCWD, what.c_str(), access, AT_EACCESS) != 0) can_not_write(path, std::strerror(errno));
-  };
-  if (!target.whole) {
-    require(target.path, W_OK);
-    return;
+  if (target.whole) {
+    struct stat now {};
+    if (stat(target.path.c_str(), &now) != 0 && errno != ENOENT) can_not_write(path, std::strerror(errno));
+    require_access(path, target.path.has_parent_path() ? target.path.parent_path() : fs::path("."), W_OK | X_OK);
+  } else {
+    require_access(path, target.path, W_OK);
   }
-  struct stat now {};
-  if (stat(target.path.c_str(), &now) != 0 && errno != ENOENT) can_not_write(path, std::strerror(errno));
-  require(target.path.has_parent_path() ? target.path.parent_path() : fs::path("."), W_OK | X_OK);
+  return target.place();
+}
+
+void require_folder(const std::string& path) {
+  if (path.empty()) throw UsageError("a folder's name is expected, not nothing");
+  // The folder itself, or the first of those it is to be in that is there.
+  std::error_code error;
+  fs::path there = fs::absolute(path, error);
+  while (fs::status(there, error).type() == fs::file_type::not_found && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, error)) can_not_write(path, error ? error.message() : there.string() + " is not a folder");
+  require_access(path, there, W_OK | X_OK);
 }
 
 Progress::Progress(std::string what, std::int64_t total, bool quiet)

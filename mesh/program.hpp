@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,14 +36,14 @@ class UsageError : public std::runtime_error {
 // arguments and input, in kUndecided if the system has no more memory or threads, in kCheckFailed for anything else: a
 // fault of this program. A signal that ends the program (SIGINT, SIGTERM, SIGHUP) takes temporary files along.
 int run(std::string_view name, const std::function<int()>& body);
-// The signals as they were before run(): for a program that is to take this one's place.
-void unblock_signals();
+// What run() did to signals undone: for a program that is to take this one's place.
+void restore_signals();
 
 // Whether something says no to running out of memory or threads, which is no fault of what ran: to be thrown again.
 bool is_exhaustion(const std::exception& error);
 
 // "0.1.0 (build 1a2b3c4d)": the version, and a checksum of the running program, where that can be read. What another build
-// of the same version found is not what this one would find.
+// of the same version found may not be what this one would find.
 std::string version_and_build(const std::string& version);
 
 // A decimal integer and nothing else; `what` names it in the error.
@@ -58,7 +59,7 @@ struct Range {
 };
 Range parse_range(std::string_view text, std::string_view what);
 
-// What a run leaves: all of its files or none, and each as a whole.
+// The files of one result: all of them or none, and each as a whole.
 class Outputs {
  public:
   Outputs();
@@ -66,23 +67,27 @@ class Outputs {
   ~Outputs();  // what was not committed is gone
 
   // A file, by a temporary one beside it that is written at once, or standard output if path is "-". Links are followed;
-  // a device or pipe is written to as it is, at the commit. Throws UsageError, also if the path was added before.
+  // a device or pipe is written to as it is, at the commit. Throws UsageError, also if the file was added before.
   void add(const std::string& path, std::string text);
-  // Writes to devices and pipes, then gives the files their names, in the order they were added and while signals wait,
-  // then writes to standard output. Throws UsageError; then, unless the system refuses to rename what it let be made, no
-  // file has its name.
+  // Writes to devices and pipes, then gives the files their names, in the order they were added and while signals wait.
+  // Throws UsageError; then, unless the system refuses to rename what it let be made, no file has its name. Writes to
+  // standard output last: whether it took it, run() sees.
   void commit();
 
  private:
   struct Output;
   std::vector<Output> outputs_;
+  std::set<std::string> places_;
 };
 
 // One output by itself.
 void write_text(const std::string& path, std::string text);
 
-// Throws the UsageError that write_text() would, as far as can be told without writing: for long work, before it.
-void require_writable(const std::string& path);
+// Throws the UsageError that write_text() would, as far as can be told without writing: for long work, before it. Returns
+// what tells files apart, "-" for standard output and "" for a device or pipe.
+std::string require_writable(const std::string& path);
+// Likewise for a folder that is there or to be made.
+void require_folder(const std::string& path);
 
 // A counter on stderr, shown only if stderr is a terminal and the work has taken a second. A total of 0 is not known.
 // Safe to call from any thread.

@@ -221,14 +221,20 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   refused(shell(edit + "/dev/full"), before, {"/dev/full"});
   refused(shell(path_of("edit") + " info in.obj >/dev/full"), before, {"standard output"});
   CHECK(fs::is_character_file("/dev/full"));
-  // Two outputs to one place, one after another.
+  // Two outputs to one file, also by another name; a device takes both.
   refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs can not both go to out.obj"});
+  refused(shell(edit + "out.obj --json ./out.obj"), before, {"two outputs can not both go to out.obj"});
+  refused(shell(edit + "''"), before, {"a file's name is expected"});
+  CHECK(shell(edit + "/dev/null --json /dev/null").code == 0);
+  CHECK(shell(edit + "nowhere/out.obj --help").code == 0);
   // Before any work: this would take hours.
   refused(shell("timeout 20 " + path_of("verify") + " --digon 3..100 --hexagon 3..40 --json nowhere/report.json"), before,
           {"nowhere/report.json", "No such file"});
   refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."), before,
           {"folder"});
-  refused(shell("timeout 20 " + path_of("verify") + " --hexagon 3..40 --certificate in.obj/proof"), before, {"in.obj/proof: Not a directory"});
+  refused(shell("timeout 20 " + path_of("verify") + " --hexagon 3..40 --certificate in.obj/proof"), before, {"in.obj/proof", "in.obj is not a folder"});
+  refused(shell("timeout 20 " + path_of("figures") + " --side 40 -o in.obj/pictures"), before, {"in.obj/pictures", "in.obj is not a folder"});
+  refused(shell("timeout 20 " + path_of("figures") + " --figure 2 -o in.obj"), before, {"in.obj is not a folder"});
   refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before, {"is not a folder"});
   // A disk that becomes full in the middle: a limit of 1 KiB on the size of files.
   for (const char* name : {"out.obj", "old.obj"}) {
@@ -312,13 +318,21 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
   CHECK(interrupt(path_of("figures") + " --figure 10 --side 10 --format svg -o .", "figure-10.svg", "KILL") > 0);
 }
 
+TEST_CASE("figures may be listed in the folder that is made for them, and asked for twice", "[hostile]") {
+  CHECK(shell(path_of("figures") + " --figure 2 --figure 2 --format svg --format svg -o new/pictures --json new/pictures/list.json").code == 0);
+  CHECK(fs::exists(scratch() / "new/pictures/figure-2.svg"));
+  CHECK(slurp(scratch() / "new/pictures/list.json").find("figure-2.svg") != std::string::npos);
+  refused(shell(path_of("figures") + " --figure 2 -o newer --json nowhere/list.json"), files(), {"nowhere/list.json"});
+}
+
 TEST_CASE("running out of memory is no failure of a claim", "[hostile]") {
   if (tests::kSanitized) return;
-  const Outcome outcome = shell("ulimit -v 44000; " + path_of("verify") +
-                                " --claim T2 --method moves --digon 70..80 --threads 1 --quiet --journal run.journal");
+  const Outcome outcome = shell("ulimit -v 120000; " + path_of("verify") +
+                                " --claim T2 --method moves --digon 95..100 --threads 1 --quiet --journal run.journal");
   CHECK(outcome.code == 3);
   CHECK(outcome.err == "requad-verify: out of memory\n");
   CHECK(outcome.out.empty());
+  CHECK(slurp(scratch() / "run.journal").find("digon 95..100") != std::string::npos);
   CHECK(slurp(scratch() / "run.journal").find("violation") == std::string::npos);
 }
 

@@ -195,7 +195,7 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
 TEST_CASE("a journal that the disk has no room for ends the run, and can be gone on with", "[journal]") {
   const Outcome at_once = call("verify", kRun + "--json at-once.json");
   REQUIRE(at_once.code == 0);
-  // A limit of 4 KiB on the size of files; the report is larger, but nothing is left to do for it then.
+  // A limit on the size of files, of four blocks as the shell counts them: 512 bytes or 1 KiB.
   const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " + kRun +
                                         "--threads 2 --journal full.journal");
   INFO(full.err);

@@ -228,6 +228,7 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
     try {
       attach_proof(total, theory::proof_of(total.claim->id));
     } catch (const std::exception& error) {
+      if (program::is_exhaustion(error)) throw;
       total.violation =
           Violation{std::string("the proof for all sizes breaks off: ") + error.what(), "", "", std::nullopt};
     }

@@ -31,10 +31,8 @@ namespace requad::verify {
 // The text of one region's certificate. Precondition: the study's moves found something, and their graph holds together.
 std::string certificate_text(const Study& study);
 
-// Before work that ends in certificates: throws program::UsageError if the folder can not be made or written to.
-void make_certificate_folder(const std::string& folder);
-// Explores every case of the list again and writes its certificate into the folder, all or none. Returns their number.
-// Throws program::UsageError.
+// Explores every case of the list again and writes its certificate into an existing or new folder, all or none. Returns
+// their number. Throws program::UsageError if the folder can not be written.
 int write_certificates(const std::string& folder, const std::vector<RegionCase>& cases, bool quiet);
 
 }  // namespace requad::verify

@@ -9,7 +9,7 @@
 //   - every script, operation by operation, is legal, keeps the boundary as it is, and leads to the mesh it names;
 //   - the numbers of configurations and edges are as claimed, all are connected, no edge is given twice, and for a
 //     regular digon or hexagon the number is tau(L).
-// Exit code: 0 all certificates hold, 1 one does not, 2 they can not be read.
+// Exit code: 0 all certificates hold, 1 one does not, 2 that can not be told: one can not be read, or memory ran out.
 
 #include <algorithm>
 #include <array>
@@ -346,8 +346,7 @@ int check_folder(const std::string& folder) {
     try {
       check(lines);
     } catch (const std::bad_alloc&) {
-      say(file + " does not fit into memory");
-      return kCanNotTell;
+      throw;  // the certificate may hold
     } catch (const std::exception& error) {
       say(file + ":" + std::to_string(lines.number()) + ": " + error.what());
       return kDoesNotHold;
@@ -375,7 +374,12 @@ int main(int argc, char** argv) {
     std::cout << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
                  "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
   } else {
-    code = check_folder(first);
+    try {
+      code = check_folder(first);
+    } catch (const std::bad_alloc&) {
+      say("out of memory");
+      return kCanNotTell;
+    }
   }
   std::cout.flush();
   if (std::cout) return code;

@@ -1,9 +1,12 @@
 #include "verify/distributed.hpp"
 
+#include <new>
 #include <string>
 
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
+
+#include "mesh/program.hpp"
 
 namespace requad::verify {
 
@@ -11,10 +14,13 @@ namespace mpi = boost::mpi;
 
 namespace {
 
-// A rank asks for work by sending its last result, an empty one at first, and gets the number of a case or kNoMore.
+// A rank asks for work by sending its last result, an empty one at first, and gets the number of a case or kNoMore. Or it
+// leaves, and gets nothing.
 constexpr int kResult = 1;
 constexpr int kCase = 2;
 constexpr std::int64_t kNoMore = -1;
+const std::string kLeaves = "leaves";        // for it has wrong arguments, or can not write here what rank 0 may write there
+const std::string kExhausted = "exhausted";  // it has no memory for a case
 
 }  // namespace
 
@@ -30,11 +36,10 @@ Processes::Processes(int& argc, char**& argv) : state_(new State{{argc, argv}, {
 }
 
 Processes::~Processes() {
-  // A rank that did not come to work, because of a wrong argument, still has to be let go.
   if (leads()) {
     dismiss();
   } else if (!state_->dismissed) {
-    work({});
+    state_->world.send(0, kResult, kLeaves);
   }
   delete state_;
 }
@@ -51,6 +56,12 @@ void Processes::hand_out(const std::vector<std::size_t>& todo, std::size_t claim
     std::string text;
     const int rank = world.recv(mpi::any_source, kResult, text).source();
     std::int64_t& current = given[static_cast<std::size_t>(rank)];
+    if (text == kLeaves || text == kExhausted) {
+      --state_->asking;
+      if (text == kExhausted) throw std::bad_alloc();
+      if (state_->asking == 0) throw program::UsageError("no other process came to work");
+      continue;
+    }
     if (!text.empty()) {
       done(static_cast<std::size_t>(current), case_result(nlohmann::ordered_json::parse(text), claims));
       --missing;
@@ -65,7 +76,7 @@ void Processes::dismiss() {
   for (; state_->asking > 0; --state_->asking) {
     std::string text;
     const int rank = state_->world.recv(mpi::any_source, kResult, text).source();
-    state_->world.send(rank, kCase, kNoMore);
+    if (text != kLeaves && text != kExhausted) state_->world.send(rank, kCase, kNoMore);
   }
 }
 
@@ -76,11 +87,17 @@ void Processes::work(const std::function<CaseResult(std::size_t)>& run) {
     world.send(0, kResult, text);
     std::int64_t index = kNoMore;
     world.recv(0, kCase, index);
-    if (index == kNoMore || !run) {
+    if (index == kNoMore) {
       state_->dismissed = true;
       return;
     }
-    text = to_json(run(static_cast<std::size_t>(index))).dump();
+    try {
+      text = to_json(run(static_cast<std::size_t>(index))).dump();
+    } catch (...) {  // nothing but exhaustion leaves a case
+      world.send(0, kResult, kExhausted);
+      state_->dismissed = true;
+      throw;
+    }
   }
 }
 

@@ -125,7 +125,7 @@ int check(const std::vector<std::string>& words, const char* self) {
   std::error_code error;
   const std::filesystem::path running = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string checker = ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
-  program::unblock_signals();
+  program::restore_signals();
   execl(checker.c_str(), checker.c_str(), words[1].c_str(), static_cast<char*>(nullptr));
   throw UsageError("check: " + checker + " can not be started");
 }
@@ -198,7 +198,8 @@ int main_body(int argc, char** argv, Processes& processes) {
     processes.work([&](std::size_t i) { return verify::run_case(list.cases[i], selected, methods); });
     return program::kDone;
   }
-  if (options.has("certificate")) verify::make_certificate_folder(options.text("certificate"));
+  options.require_outputs();
+  if (options.has("certificate")) program::require_folder(options.text("certificate"));
   verify::Running running;
   running.threads = options.threads();
   running.quiet = quiet;
