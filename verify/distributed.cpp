@@ -93,10 +93,10 @@ void Processes::work(const std::function<CaseResult(std::size_t)>& run) {
     }
     try {
       text = to_json(run(static_cast<std::size_t>(index))).dump();
-    } catch (...) {  // nothing but exhaustion leaves a case
+    } catch (...) {  // nothing but exhaustion leaves a case; rank 0 says so, unless MPI ends it because this rank fails
       world.send(0, kResult, kExhausted);
       state_->dismissed = true;
-      throw;
+      return;
     }
   }
 }
