@@ -113,6 +113,7 @@ void Editor::place_parts(HalfEdgeId made, Edit& edit) {
 void Editor::roll_back(std::size_t mark) {
   while (edits_.size() > mark) {
     const Edit& edit = edits_.back();
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 refuses the reversed views of GCC 12's library
     for (auto p = edit.placements.rbegin(); p != edit.placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
     if (edit.operates) take_back(mesh_, edit.inverse);
     edits_.pop_back();

@@ -174,7 +174,7 @@ std::string html_table(const ordered_json& rows) {
 // The proof for all sizes, set apart from the instances.
 std::string html_proof(const ordered_json& proof) {
   const bool proved = proof["proved"].get<bool>();
-  std::string html = std::string("<details class=\"proof\"><summary><span class=\"") +
+  std::string html = std::string(R"(<details class="proof"><summary><span class=")") +
                      (proved ? "holds\">Proved" : "fails\">Not proved") + "</span> for " + escaped(proof["for"]) +
                      ", apart from the instances: " + escaped(proof["statement"]) + "</summary>\n<p>Given:</p>\n<ul>\n";
   for (const auto& premise : proof["premises"]) html += "<li>" + escaped(premise) + "</li>\n";
