@@ -8,6 +8,7 @@
 #include "mesh/options.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "theory/counts.hpp"
+#include "theory/joined.hpp"
 
 using namespace requad;
 using program::Options;
@@ -23,15 +24,9 @@ bool fulfils(const std::string& problem) {
   return problem.empty();
 }
 
-std::string list_of(const std::vector<std::int64_t>& values) {
-  std::string text;
-  for (const std::int64_t value : values) text += (text.empty() ? "" : ",") + std::to_string(value);
-  return text;
-}
-
 std::vector<std::int64_t> numbers(const Options& options, const char* name) {
   const auto values = program::parse_integers(options.text(name), name);
-  fuzz::require(program::parse_integers(list_of(values), name) == values, "what was written reads differently");
+  fuzz::require(program::parse_integers(theory::joined(values, ","), name) == values, "what was written reads differently");
   return values;
 }
 
