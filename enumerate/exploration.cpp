@@ -133,7 +133,8 @@ theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex ap
   }
   std::map<std::pair<int, int>, int> count;
   for (const FoundMove& move : found.moves) {
-    if (move.to < 0 || vertex[static_cast<std::size_t>(move.from)] < 0 || vertex[static_cast<std::size_t>(move.to)] < 0) continue;
+    if (move.to < 0 || vertex[static_cast<std::size_t>(move.from)] < 0 || vertex[static_cast<std::size_t>(move.to)] < 0)
+      continue;
     ++count[{vertex[static_cast<std::size_t>(move.from)], vertex[static_cast<std::size_t>(move.to)]}];
   }
   for (const auto& [ends, number] : count) {

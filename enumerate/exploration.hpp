@@ -23,17 +23,17 @@ struct FoundNode {
 
 struct FoundMove {
   int from = -1;
-  int to = -1;                        // -1: refused
-  mesh::PairMove move;                // on nodes[from].region
+  int to = -1;                                  // -1: refused
+  mesh::PairMove move;                          // on nodes[from].region
   std::optional<theory::Configuration> before;  // the labelling of move.frame; nothing if it can not be read
   std::optional<theory::Configuration> after;   // the labelling of the frame that the move reports; nothing if refused
   mesh::Refusal refusal = mesh::Refusal::none;
   int operations = 0;
   int faces_made = 0;
   int faces_deleted = 0;
-  bool restored = true;               // the reported undo gave back the very same arrays
-  bool inverse_returns = true;        // the reported inverse move, made on the result, gave the start's signature
-  bool refused_unchanged = true;      // a refused move left the very same arrays
+  bool restored = true;           // the reported undo gave back the very same arrays
+  bool inverse_returns = true;    // the reported inverse move, made on the result, gave the start's signature
+  bool refused_unchanged = true;  // a refused move left the very same arrays
   std::vector<mesh::BasicOperation> script;
 };
 
@@ -60,6 +60,7 @@ Exploration explore_all(theory::PairType type, const theory::IntegerVector& side
 // The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n
 // edges and n moves from i to itself n / 2 edges. Throws std::logic_error if the moves do not pair up so. Apex::without
 // leaves the merged nodes out; nodes keep their order. `node_of` receives each graph vertex's exploration node.
-theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex, std::vector<int>* node_of = nullptr);
+theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex,
+                                       std::vector<int>* node_of = nullptr);
 
 }  // namespace requad::enumerate

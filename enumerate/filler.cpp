@@ -52,7 +52,9 @@ SharedLimits::SharedLimits(const SearchLimits& limits)
 
 bool SharedLimits::should_stop() {
   if (progress) progress(kStatesBetweenLooks);
-  const auto passed = [now = Clock::now()](const std::optional<Clock::time_point>& time) { return time && now > *time; };
+  const auto passed = [now = Clock::now()](const std::optional<Clock::time_point>& time) {
+    return time && now > *time;
+  };
   if (passed(deadline) || passed(pause)) stop = true;
   return stop;
 }

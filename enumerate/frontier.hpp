@@ -48,9 +48,9 @@ class Frontier {
   std::atomic<bool> wanted_{false};
   std::mutex mutex_;  // of all below
   std::condition_variable changed_;
-  std::vector<Part> parts_;   // that no thread works on
-  std::size_t running_ = 0;   // threads with a part
-  std::size_t idle_ = 0;      // threads that wait for one
+  std::vector<Part> parts_;  // that no thread works on
+  std::size_t running_ = 0;  // threads with a part
+  std::size_t idle_ = 0;     // threads that wait for one
   std::int64_t states_ = 0;
 };
 

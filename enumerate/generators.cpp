@@ -21,10 +21,13 @@ using Line = std::vector<int>;  // vertices along a path
 void require(PairType type, const Configuration& c) {
   theory::StripParameters p = c.parameters;
   if (c.merged()) p.d1 = 1;  // the merged vertex is welcome here; check the rest
-  if (const std::string problem = theory::parameters_problem(type, p); !problem.empty()) throw std::invalid_argument(problem);
+  if (const std::string problem = theory::parameters_problem(type, p); !problem.empty())
+    throw std::invalid_argument(problem);
   // The face count must fit a half-edge index; lengths up to kMaxLength alone do not ensure that.
   const Integer faces = theory::PairSystem(type).face_count(c.parameters);
-  if (faces > 20'000'000) throw std::invalid_argument("the region would have " + std::to_string(faces) + " quads, more than the 20 million that are made here");
+  if (faces > 20'000'000)
+    throw std::invalid_argument("the region would have " + std::to_string(faces) +
+                                " quads, more than the 20 million that are made here");
 }
 
 // The label of which side 1 of the region is.
@@ -102,7 +105,9 @@ std::vector<int> StripGrowth::side_lengths() const {
   return lengths;
 }
 
-bool StripGrowth::complete() const { return std::all_of(strips_.begin(), strips_.end(), [](int e) { return e > 0; }); }
+bool StripGrowth::complete() const {
+  return std::all_of(strips_.begin(), strips_.end(), [](int e) { return e > 0; });
+}
 
 Region StripGrowth::region(int label) const {
   return rooted_at(vertices_, faces_, sides_[static_cast<std::size_t>(label - 1)].front());
@@ -125,7 +130,8 @@ namespace {
 
 class Gluing {
  public:
-  Gluing(PairType type, const Configuration& c) : type_(type), c_(c), corners_(static_cast<std::size_t>(type.side_count())) {}
+  Gluing(PairType type, const Configuration& c)
+      : type_(type), c_(c), corners_(static_cast<std::size_t>(type.side_count())) {}
 
   Region build() {
     const int outward1 = type_.l1 - 2;
@@ -211,8 +217,8 @@ class Gluing {
   const Configuration& c_;
   int vertices_ = 0;
   std::vector<std::array<int, 4>> faces_;
-  std::vector<Line> rays_;     // outward separatrices, by label - 1
-  std::vector<int> corners_;   // between side i and side i + 1, by label - 1
+  std::vector<Line> rays_;    // outward separatrices, by label - 1
+  std::vector<int> corners_;  // between side i and side i + 1, by label - 1
 };
 
 }  // namespace

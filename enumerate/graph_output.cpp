@@ -30,7 +30,7 @@ PlainGraph plain_graph(const Exploration& found, theory::Apex apex) {
   for (std::size_t v = 0; v < node_of.size(); ++v) {
     const FoundNode& node = found.nodes[static_cast<std::size_t>(node_of[v])];
     const theory::Configuration& c = node.reading.configuration;
-    plain[v] = {"n" + std::to_string(v), theory::label(found.type, c), node.signature, c.d1(), c.d2(),
+    plain[v] = {"n" + std::to_string(v),    theory::label(found.type, c), node.signature, c.d1(), c.d2(),
                 third_index(found.type, c), node.region.mesh.face_count()};
   }
   for (const auto e : boost::make_iterator_range(edges(graph))) add_edge(source(e, graph), target(e, graph), plain);
@@ -68,7 +68,8 @@ nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
   const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
   nlohmann::ordered_json json{{"nodes", nlohmann::ordered_json::array()}, {"edges", nlohmann::ordered_json::array()}};
-  for (const int node : node_of) json["nodes"].push_back(node_json(found.type, found.nodes[static_cast<std::size_t>(node)]));
+  for (const int node : node_of)
+    json["nodes"].push_back(node_json(found.type, found.nodes[static_cast<std::size_t>(node)]));
   std::vector<std::array<std::size_t, 2>> ends;
   for (const auto e : boost::make_iterator_range(edges(graph))) {
     ends.push_back({std::min(source(e, graph), target(e, graph)), std::max(source(e, graph), target(e, graph))});

@@ -11,12 +11,11 @@
 #include <string_view>
 #include <utility>
 
+#include <boost/crc.hpp>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <boost/crc.hpp>
 
 #include "mesh/program.hpp"
 
@@ -141,7 +140,8 @@ void JournalFile::append(const Record& record) {
 
 std::int64_t integer_from(const ordered_json& json, std::int64_t low, std::int64_t high) {
   // What is not negative, the parser keeps without a sign.
-  const bool fits = json.is_number_integer() && (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
+  const bool fits = json.is_number_integer() &&
+                    (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
   const auto value = fits ? json.get<std::int64_t>() : 0;
   if (!fits || value < low || value > high)
     throw std::invalid_argument("no integer in " + std::to_string(low) + ".." + std::to_string(high));

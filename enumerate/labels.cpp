@@ -17,7 +17,8 @@ std::optional<Configuration> labelling_of(const Region& region, const std::vecto
                                           PairType type, const PairFrame& frame) {
   const int k = type.side_count();
   std::vector<HalfEdgeId> outward = mesh::outward(region.mesh, frame);
-  for (const HalfEdgeId h : mesh::outward(region.mesh, mesh::seen_from_other_end(region.mesh, frame))) outward.push_back(h);
+  for (const HalfEdgeId h : mesh::outward(region.mesh, mesh::seen_from_other_end(region.mesh, frame)))
+    outward.push_back(h);
 
   Configuration labelling;
   labelling.parameters = {frame.b, frame.a, theory::IntegerVector::Zero(k)};
@@ -94,7 +95,8 @@ Reading read(const Region& region, PairType type) {
   }
   reading.configuration = theory::canonical(type, reading.frames[0].labelling);
   for (const LabelledFrame& f : reading.frames) {
-    if (!(theory::canonical(type, f.labelling) == reading.configuration)) reading.problem = "two frames give two configurations";
+    if (!(theory::canonical(type, f.labelling) == reading.configuration))
+      reading.problem = "two frames give two configurations";
   }
   return reading;
 }

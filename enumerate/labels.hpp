@@ -29,9 +29,9 @@ std::optional<theory::Configuration> labelling_of(const mesh::Region& region,
 // What the region holds, found by looking at all of it: the irregular vertices, their frames and labellings.
 struct Reading {
   std::vector<mesh::VertexId> irregular;
-  std::vector<LabelledFrame> frames;       // of the pair, or one with a = b = 0 for a merged vertex
-  theory::Configuration configuration;     // canonical
-  std::string problem;                     // "" if the region holds one pair of this type, or one merged vertex
+  std::vector<LabelledFrame> frames;    // of the pair, or one with a = b = 0 for a merged vertex
+  theory::Configuration configuration;  // canonical
+  std::string problem;                  // "" if the region holds one pair of this type, or one merged vertex
 };
 Reading read(const mesh::Region& region, theory::PairType type);
 

@@ -29,7 +29,8 @@ using theory::Configuration;
 using theory::IntegerVector;
 using theory::PairType;
 
-constexpr const char* kHelp = R"(requad-enumerate: regions of quad meshes, their irregular vertices, and all their fillings
+constexpr const char* kHelp =
+    R"(requad-enumerate: regions of quad meshes, their irregular vertices, and all their fillings
 
   requad-enumerate region digon|hexagon|quad D1 D2 E1,E2,... [-o FILE.obj]
       the region with these separatrix-strip parameters: R_alpha is a D1 x D2 grid, E1,E2,... are the strip counts
@@ -82,12 +83,16 @@ PairType parse_shape(const std::string& text) {
 }
 
 // The one configuration of the region that has this label.
-Configuration find_configuration(PairType type, const IntegerVector& sides, const std::string& text, const char* option) {
+Configuration find_configuration(PairType type, const IntegerVector& sides, const std::string& text,
+                                 const char* option) {
   const std::vector<std::int64_t> at = program::parse_integers(text, option);
   const bool third = type.symmetric() && type.rotation_count() > 1;
   const bool merged = type.symmetric() && at.size() >= 2 && at[0] == 0 && at[1] == 0;
   if (at.size() != (third ? 3U : 2U) && !(merged && at.size() == 2)) {
-    throw UsageError(std::string(option) + ": '" + text + "' is not of the form " + (third ? "d1,d2,p" : type.symmetric() ? "d1,d2" : "m,n"));
+    throw UsageError(std::string(option) + ": '" + text + "' is not of the form " +
+                     (third              ? "d1,d2,p"
+                      : type.symmetric() ? "d1,d2"
+                                         : "m,n"));
   }
   std::vector<Configuration> all = theory::parameter_set(type, sides);
   if (merged) all = theory::merged_configurations(type, sides);
@@ -105,15 +110,18 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
 IntegerVector required_sides(const Options& options, PairType type) {
   if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 9,9");
   IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
-  if (const std::string problem = theory::sides_problem(type, sides); !problem.empty()) throw UsageError("--sides: " + problem);
+  if (const std::string problem = theory::sides_problem(type, sides); !problem.empty())
+    throw UsageError("--sides: " + problem);
   // What exploring would keep in memory: every configuration's mesh.
   constexpr double kMostQuads = 2e8;
   const auto longest = static_cast<double>(sides.maxCoeff());
   const double area = longest * longest / 2;
-  const double configurations = longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
+  const double configurations =
+      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
   if (area * std::max(configurations, 1.0) > kMostQuads) {
-    throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) + " configurations of some " +
-                     std::to_string(static_cast<std::int64_t>(area)) + " quads are more than this command keeps in memory");
+    throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) +
+                     " configurations of some " + std::to_string(static_cast<std::int64_t>(area)) +
+                     " quads are more than this command keeps in memory");
   }
   return sides;
 }
@@ -124,10 +132,11 @@ PairType required_pair(const Options& options) {
 }
 
 // With the region that -o asks for, if it does.
-void finish(const Options& options, const ordered_json& summary, const std::string& text, const mesh::Region* region = nullptr,
-            const std::string& comment = "") {
+void finish(const Options& options, const ordered_json& summary, const std::string& text,
+            const mesh::Region* region = nullptr, const std::string& comment = "") {
   program::Outputs outputs;
-  if (region != nullptr && options.has("output")) outputs.add(options.text("output"), mesh::obj_text(*region, {comment}));
+  if (region != nullptr && options.has("output"))
+    outputs.add(options.text("output"), mesh::obj_text(*region, {comment}));
   program::finish(options, summary.dump(), text, std::move(outputs));
 }
 
@@ -170,9 +179,13 @@ int region(const Options& options, const std::vector<std::string>& words) {
   const std::string text = "sides " + theory::joined(sides, " ") + "\nfaces " + std::to_string(made.mesh.face_count()) +
                            "\nvertices " + std::to_string(made.mesh.vertex_count()) + "\nsignature " + signature + "\n";
   finish(options,
-         {{"pair", type.name()}, {"sides", as_ints(sides)}, {"faces", made.mesh.face_count()},
-          {"vertices", made.mesh.vertex_count()}, {"signature", signature}},
-         text, &made, "region with a " + type.name() + " pair, parameters " + words[1] + " " + words[2] + " " + words[3]);
+         {{"pair", type.name()},
+          {"sides", as_ints(sides)},
+          {"faces", made.mesh.face_count()},
+          {"vertices", made.mesh.vertex_count()},
+          {"signature", signature}},
+         text, &made,
+         "region with a " + type.name() + " pair, parameters " + words[1] + " " + words[2] + " " + words[3]);
   return program::kDone;
 }
 
@@ -206,13 +219,17 @@ int path(const Options& options) {
   const PairType type = required_pair(options);
   const IntegerVector sides = required_sides(options, type);
   for (const char* end : {"from", "to"}) {
-    if (!options.has(end)) throw UsageError(std::string("--") + end + " is missing; expected a label as in --" + end + " 1,1");
+    if (!options.has(end))
+      throw UsageError(std::string("--") + end + " is missing; expected a label as in --" + end + " 1,1");
   }
   const Configuration from = find_configuration(type, sides, options.text("from"), "--from");
   const Configuration to = find_configuration(type, sides, options.text("to"), "--to");
   const enumerate::Realisation made = enumerate::realise(type, sides, from, to);
-  ordered_json json{{"sides", as_ints(sides)}, {"pair", type.name()}, {"path", ordered_json::array()},
-                    {"moves", ordered_json::array()}, {"operations", ordered_json::array()},
+  ordered_json json{{"sides", as_ints(sides)},
+                    {"pair", type.name()},
+                    {"path", ordered_json::array()},
+                    {"moves", ordered_json::array()},
+                    {"operations", ordered_json::array()},
                     {"signature", mesh::signature(made.region)}};
   std::string text;
   for (std::size_t i = 0; i < made.path.size(); ++i) {
@@ -236,7 +253,8 @@ int path(const Options& options) {
 // --- search ----------------------------------------------------------------------------------------------------------
 
 std::vector<int> irregular_valences(const Options& options) {
-  if (!options.has("irregular")) throw UsageError("--irregular is missing; expected valences as in --irregular 3,3,5, or '' for none");
+  if (!options.has("irregular"))
+    throw UsageError("--irregular is missing; expected valences as in --irregular 3,3,5, or '' for none");
   const std::string text = options.text("irregular");
   return text.empty() ? std::vector<int>{} : as_ints(program::parse_integers(text, "--irregular"), "--irregular");
 }
@@ -245,15 +263,18 @@ enumerate::SearchLimits search_limits(const Options& options, program::Progress&
   enumerate::SearchLimits limits;
   limits.progress = [&progress](std::int64_t states) { progress.advance(states); };
   limits.threads = options.threads();
-  if (options.has("limit-seconds")) limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));
-  if (options.has("max-faces")) limits.faces = static_cast<int>(options.integer("max-faces", 0, 1, enumerate::kMostFaces));
+  if (options.has("limit-seconds"))
+    limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));
+  if (options.has("max-faces"))
+    limits.faces = static_cast<int>(options.integer("max-faces", 0, 1, enumerate::kMostFaces));
   return limits;
 }
 
 // The journal of a run whose result depends on this program and these words, and nothing else.
 std::optional<enumerate::SearchJournal> search_journal(const Options& options, const std::string& words) {
   if (!options.has("journal")) return std::nullopt;
-  return enumerate::SearchJournal{options.text("journal"), "requad-enumerate " + program::version_and_build(REQUAD_VERSION) + " " + words};
+  return enumerate::SearchJournal{options.text("journal"),
+                                  "requad-enumerate " + program::version_and_build(REQUAD_VERSION) + " " + words};
 }
 
 std::string lines_of(const std::vector<std::string>& lines) {
@@ -263,8 +284,10 @@ std::string lines_of(const std::vector<std::string>& lines) {
 }
 
 int search(const Options& options) {
-  options.allow_only("search", {"sides", "interior-quads", "irregular", "list", "limit-seconds", "max-faces", "journal"});
-  if (options.has("sides") == options.has("interior-quads")) throw UsageError("search: expected either --sides or --interior-quads");
+  options.allow_only("search",
+                     {"sides", "interior-quads", "irregular", "list", "limit-seconds", "max-faces", "journal"});
+  if (options.has("sides") == options.has("interior-quads"))
+    throw UsageError("search: expected either --sides or --interior-quads");
   enumerate::SearchProblem problem{{}, irregular_valences(options)};
   std::vector<int> sides;
   if (options.has("sides")) {
@@ -274,15 +297,19 @@ int search(const Options& options) {
     }
     problem = enumerate::search_problem(sides, std::move(problem.irregular));
   } else {
-    problem.interior_quads = as_ints(program::parse_integers(options.text("interior-quads"), "--interior-quads"), "--interior-quads");
+    problem.interior_quads =
+        as_ints(program::parse_integers(options.text("interior-quads"), "--interior-quads"), "--interior-quads");
   }
   if (const std::string what = enumerate::problem_with(problem); !what.empty()) throw UsageError("search: " + what);
   program::Progress progress("states", 0, options.quiet());
   const enumerate::SearchLimits limits = search_limits(options, progress);
   if (enumerate::may_be_infinite(problem) && !limits.faces && !limits.seconds) {
-    throw UsageError("search: these valences can close a tube of any length, so there may be infinitely many fillings; give --max-faces or --limit-seconds");
+    throw UsageError(
+        "search: these valences can close a tube of any length, so there may be infinitely many fillings; give "
+        "--max-faces or --limit-seconds");
   }
-  std::string words = (sides.empty() ? "search, interior quads " + theory::joined(problem.interior_quads, ",") : "search, sides " + theory::joined(sides, ",")) +
+  std::string words = (sides.empty() ? "search, interior quads " + theory::joined(problem.interior_quads, ",")
+                                     : "search, sides " + theory::joined(sides, ",")) +
                       "; irregular " + theory::joined(problem.irregular, ",");
   if (limits.faces) words += "; faces up to " + std::to_string(*limits.faces);
   if (options.has("list")) words += "; with signatures";
@@ -299,15 +326,19 @@ int search(const Options& options) {
   json["complete"] = complete;
   json["by_faces"] = ordered_json::object();
   for (const auto& [faces, count] : found.outcome.by_faces) json["by_faces"][std::to_string(faces)] = count;
-  json["orbits"] = complete ? ordered_json{{"rotations", found.orbits.rotations}, {"reflections", found.orbits.reflections}} : ordered_json(nullptr);
+  json["orbits"] = complete
+                       ? ordered_json{{"rotations", found.orbits.rotations}, {"reflections", found.orbits.reflections}}
+                       : ordered_json(nullptr);
   json["states"] = found.outcome.states;
   if (options.has("list")) json["fillings"] = found.signatures;
 
   std::string text = complete ? "count " + std::to_string(found.outcome.count) + "\n"
                               : "undecided: at least " + std::to_string(found.outcome.count) + "\n";
-  for (const auto& [faces, count] : found.outcome.by_faces) text += std::to_string(faces) + " faces: " + std::to_string(count) + "\n";
+  for (const auto& [faces, count] : found.outcome.by_faces)
+    text += std::to_string(faces) + " faces: " + std::to_string(count) + "\n";
   if (complete) {
-    text += "up to rotations " + std::to_string(found.orbits.rotations) + ", and reflections " + std::to_string(found.orbits.reflections) + "\n";
+    text += "up to rotations " + std::to_string(found.orbits.rotations) + ", and reflections " +
+            std::to_string(found.orbits.reflections) + "\n";
   }
   finish(options, json, text + lines_of(found.signatures));
   return complete ? program::kDone : program::kUndecided;
@@ -318,11 +349,13 @@ int sphere(const Options& options) {
   if (!options.has("vertices")) throw UsageError("--vertices is missing; expected a range as in --vertices 8..20");
   const program::Range range = program::parse_range(options.text("vertices"), "--vertices");
   if (range.first < 4 || range.last > enumerate::kMostFaces) {
-    throw UsageError("--vertices: " + options.text("vertices") + " is not within 4.." + std::to_string(enumerate::kMostFaces));
+    throw UsageError("--vertices: " + options.text("vertices") + " is not within 4.." +
+                     std::to_string(enumerate::kMostFaces));
   }
   const std::vector<int> irregular = irregular_valences(options);
   program::Progress progress("states", 0, options.quiet());
-  const std::string words = "sphere, irregular " + theory::joined(irregular, ",") + "; vertices up to " + std::to_string(range.last);
+  const std::string words =
+      "sphere, irregular " + theory::joined(irregular, ",") + "; vertices up to " + std::to_string(range.last);
   const enumerate::SphereOutcome found = enumerate::search_spheres(
       irregular, static_cast<int>(range.last), search_limits(options, progress), search_journal(options, words));
   progress.finish();
@@ -335,7 +368,11 @@ int sphere(const Options& options) {
     return json;
   };
   const ordered_json counts = in_range(found.counts), oriented = in_range(found.oriented_counts);
-  ordered_json json{{"irregular", irregular}, {"counts", counts}, {"oriented_counts", oriented}, {"complete", found.complete}, {"states", found.states}};
+  ordered_json json{{"irregular", irregular},
+                    {"counts", counts},
+                    {"oriented_counts", oriented},
+                    {"complete", found.complete},
+                    {"states", found.states}};
   if (!found.complete) json["counts"] = nullptr, json["oriented_counts"] = nullptr, json["at_least"] = counts;
   if (options.has("list")) json["spheres"] = found.signatures;
   std::string text = found.complete ? "" : "undecided: at least\n";
@@ -353,10 +390,17 @@ int file_signature(const Options& options, const std::string& path) {
   if (const int components = mesh::component_count(m); components != 1) {
     throw UsageError(path + ": the mesh has " + std::to_string(components) + " components; a signature names one");
   }
-  const std::string kept = mesh::canonical_signature(m), mirrored = mesh::canonical_signature(m, mesh::Orientation::mirrored);
+  const std::string kept = mesh::canonical_signature(m),
+                    mirrored = mesh::canonical_signature(m, mesh::Orientation::mirrored);
   const std::string& canonical = std::min(kept, mirrored);
   const bool open = mesh::boundary_loop_count(m) > 0;
-  finish(options, {{"vertices", m.vertex_count()}, {"faces", m.face_count()}, {"closed", !open}, {"canonical", canonical}, {"oriented", kept}, {"chiral", kept != mirrored}},
+  finish(options,
+         {{"vertices", m.vertex_count()},
+          {"faces", m.face_count()},
+          {"closed", !open},
+          {"canonical", canonical},
+          {"oriented", kept},
+          {"chiral", kept != mirrored}},
          canonical + "\n");
   return program::kDone;
 }
@@ -370,21 +414,29 @@ int signature(const Options& options, const std::vector<std::string>& words) {
   const mesh::Region rebuilt = mesh::from_signature(options.text("from-signature"));
   const bool open = mesh::boundary_loop_count(rebuilt.mesh) > 0;
   if (options.has("output")) {
-    if (const std::string problem = mesh::region_problem(rebuilt); !problem.empty()) throw UsageError("signature: no drawing, since " + problem);
+    if (const std::string problem = mesh::region_problem(rebuilt); !problem.empty())
+      throw UsageError("signature: no drawing, since " + problem);
   }
-  const std::string canonical = std::min(mesh::canonical_signature(rebuilt.mesh), mesh::canonical_signature(rebuilt.mesh, mesh::Orientation::mirrored));
-  finish(options, {{"vertices", rebuilt.mesh.vertex_count()}, {"faces", rebuilt.mesh.face_count()}, {"closed", !open}, {"canonical", canonical}},
-         "vertices " + std::to_string(rebuilt.mesh.vertex_count()) + "\nfaces " + std::to_string(rebuilt.mesh.face_count()) + "\ncanonical " + canonical + "\n",
+  const std::string canonical = std::min(mesh::canonical_signature(rebuilt.mesh),
+                                         mesh::canonical_signature(rebuilt.mesh, mesh::Orientation::mirrored));
+  finish(options,
+         {{"vertices", rebuilt.mesh.vertex_count()},
+          {"faces", rebuilt.mesh.face_count()},
+          {"closed", !open},
+          {"canonical", canonical}},
+         "vertices " + std::to_string(rebuilt.mesh.vertex_count()) + "\nfaces " +
+             std::to_string(rebuilt.mesh.face_count()) + "\ncanonical " + canonical + "\n",
          &rebuilt, "rebuilt from its signature");
   return program::kDone;
 }
 
 int main_body(int argc, char** argv) {
-  const Options options(argc, argv, {{"with-apex", "list", "subdivide"},
-                                     {"generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
-                                      "vertices", "limit-seconds", "max-faces", "journal", "from-signature"},
-                                     {},
-                                     {"output,o"}});
+  const Options options(argc, argv,
+                        {{"with-apex", "list", "subdivide"},
+                         {"generator", "sides", "interior-quads", "pair", "format", "from", "to", "irregular",
+                          "vertices", "limit-seconds", "max-faces", "journal", "from-signature"},
+                         {},
+                         {"output,o"}});
   if (program::answered(options, "requad-enumerate", REQUAD_VERSION, kHelp)) return program::kDone;
   options.require_outputs();
   std::vector<std::string> words = options.words();

@@ -36,7 +36,8 @@ std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, in
       queue.push_back(dart.target);
     }
   }
-  if (before[static_cast<std::size_t>(to)] < 0) throw std::invalid_argument("no path of moves joins the two configurations");
+  if (before[static_cast<std::size_t>(to)] < 0)
+    throw std::invalid_argument("no path of moves joins the two configurations");
   std::vector<int> path{to};
   while (path.back() != from) path.push_back(before[static_cast<std::size_t>(path.back())]);
   std::reverse(path.begin(), path.end());

@@ -9,9 +9,9 @@ namespace requad::enumerate {
 
 struct Realisation {
   mesh::Region region;
-  std::vector<theory::Configuration> path;            // from the start to the target, canonical
+  std::vector<theory::Configuration> path;  // from the start to the target, canonical
   std::vector<mesh::PairMove> moves;
-  std::vector<mesh::BasicOperation> operations;       // of all moves, on the start's mesh
+  std::vector<mesh::BasicOperation> operations;  // of all moves, on the start's mesh
 };
 
 // The configuration where realise() starts: the merged one if the region has one, else the first of the lowest level,

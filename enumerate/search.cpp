@@ -128,7 +128,11 @@ struct Tally {
   }
 
   ordered_json to_json() const {
-    return {{"count", count}, {"by_faces", by_faces}, {"symmetries", symmetries}, {"fixing", fixing}, {"signatures", signatures}};
+    return {{"count", count},
+            {"by_faces", by_faces},
+            {"symmetries", symmetries},
+            {"fixing", fixing},
+            {"signatures", signatures}};
   }
   void add_from_json(const ordered_json& json) {
     const std::int64_t before = count;
@@ -140,7 +144,8 @@ struct Tally {
       if (count > before) symmetries[i] = of_boundary;  // without a filling nobody has looked
       add_from(fixing[i], json.at("fixing").at(i));
     }
-    for (const ordered_json& signature : array_in(json.at("signatures"))) signatures.push_back(signature.get<std::string>());
+    for (const ordered_json& signature : array_in(json.at("signatures")))
+      signatures.push_back(signature.get<std::string>());
   }
 };
 

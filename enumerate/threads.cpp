@@ -29,8 +29,9 @@ struct Order {
 }  // namespace
 
 int thread_count(int threads) {
-  return threads > 0 ? threads
-                     : static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return threads > 0
+             ? threads
+             : static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
 void run_on_threads(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {

@@ -39,8 +39,13 @@ PairStep mesh_step(PairType type, int step) {
 class Walker {
  public:
   Walker(const ConfigurationTable& table, mesh::Region start, const WalkProgress& progress)
-      : table_(table), type_(table.type()), region_(std::move(start)), m_(region_.mesh),
-        positions_(mesh::boundary_positions(region_)), mover_(region_.mesh), progress_(progress) {
+      : table_(table),
+        type_(table.type()),
+        region_(std::move(start)),
+        m_(region_.mesh),
+        positions_(mesh::boundary_positions(region_)),
+        mover_(region_.mesh),
+        progress_(progress) {
     // A slide may split all along a side before it collapses.
     const auto room = static_cast<int>(table.sides().maxCoeff()) + 4;
     region_.mesh.reserve(static_cast<int>(table.most_faces()) + room, static_cast<int>(table.most_vertices()) + room);
@@ -150,7 +155,8 @@ class Walker {
         found.frame = {h, m_.ccw(h), pair_[0], pair_[0], 0, 0};
         found.number = table_.find(found.place);
       }
-    } else if (traced && !merged && count_ == std::array{static_cast<std::size_t>(type_.l1), static_cast<std::size_t>(type_.l2)}) {
+    } else if (traced && !merged &&
+               count_ == std::array{static_cast<std::size_t>(type_.l1), static_cast<std::size_t>(type_.l2)}) {
       if (const auto located = theory::locate(type_, table_.sides(), vector(0), vector(1))) {
         const theory::Labelling& l = located->labelling;
         found.place.p = l.p;
@@ -159,8 +165,9 @@ class Walker {
         const std::size_t from = located->swapped ? 1 : 0;
         const HalfEdgeId leg = start(from, from == 0 ? located->leg1 : located->leg2);
         found.frame = {leg, m_.ccw(leg), pair_[from], pair_[1 - from], static_cast<int>(l.d2), static_cast<int>(l.d1)};
-        found.other = {found.frame.second_leg, m_.ccw(found.frame.second_leg), pair_[from], pair_[1 - from],
-                       found.frame.b, found.frame.a};
+        found.other = {
+            found.frame.second_leg, m_.ccw(found.frame.second_leg), pair_[from], pair_[1 - from], found.frame.b,
+            found.frame.a};
         found.number = table_.find(found.place);
       }
     }

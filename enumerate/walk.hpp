@@ -27,28 +27,26 @@
 namespace requad::enumerate {
 
 struct WalkResult {
-  std::string problem;                  // "": all is as predicted; else the first thing that is not, which ended the walk
-  std::string configuration;            // where that was, as a label; "" if it can not be told
-  std::optional<mesh::Region> mesh;     // and on which mesh
+  std::string problem;               // "": all is as predicted; else the first thing that is not, which ended the walk
+  std::string configuration;         // where that was, as a label; "" if it can not be told
+  std::optional<mesh::Region> mesh;  // and on which mesh
 
-  std::int64_t predicted = 0;           // configurations of the table that hold the pair
-  std::int64_t configurations = 0;      // of those, visited
-  std::int64_t merged = 0;              // the same for the merged one: 0 or 1
-  std::int64_t edges = 0;               // walked, both ways; with those of the merged configuration
+  std::int64_t predicted = 0;       // configurations of the table that hold the pair
+  std::int64_t configurations = 0;  // of those, visited
+  std::int64_t merged = 0;          // the same for the merged one: 0 or 1
+  std::int64_t edges = 0;           // walked, both ways; with those of the merged configuration
   std::int64_t predicted_edges = 0;
-  std::int64_t refusals = 0;            // steps that theory excludes, refused by the mesh
+  std::int64_t refusals = 0;  // steps that theory excludes, refused by the mesh
 
   // Costs.
-  std::int64_t moves = 0;               // made
-  std::int64_t operations = 0;          // basic operations of those moves
+  std::int64_t moves = 0;       // made
+  std::int64_t operations = 0;  // basic operations of those moves
   std::int64_t identifications = 0;
-  std::int64_t traced = 0;              // edges of separatrices walked by them
-  std::int64_t mesh_bytes = 0;          // the arrays of the one mesh, at its largest
-  std::int64_t other_bytes = 0;         // all else that grows with the region
+  std::int64_t traced = 0;       // edges of separatrices walked by them
+  std::int64_t mesh_bytes = 0;   // the arrays of the one mesh, at its largest
+  std::int64_t other_bytes = 0;  // all else that grows with the region
 
-  bool complete() const {
-    return problem.empty() && configurations == predicted && edges == predicted_edges;
-  }
+  bool complete() const { return problem.empty() && configurations == predicted && edges == predicted_edges; }
 };
 
 // Told now and then how many configurations were visited since.

@@ -12,7 +12,8 @@
 
 #include <Eigen/Core>
 
-struct _cairo;  // cairo_t, so that users of this header need no Cairo. NOLINT(bugprone-reserved-identifier): its own name
+struct
+    _cairo;  // cairo_t, so that users of this header need no Cairo. NOLINT(bugprone-reserved-identifier): its own name
 
 namespace requad::figures {
 

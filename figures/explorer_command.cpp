@@ -35,9 +35,10 @@ int explorer_command(const program::Options& options) {
                                        {"moves", data["moves"].size()},
                                        {"claims", claims}};
   const auto nodes = data["nodes"].size();
-  const std::string text = path + ": " + std::to_string(nodes) + (nodes == 1 ? " configuration, " : " configurations, ") +
-                           std::to_string(data["moves"].size()) + " moves, " + std::to_string(held) + " of " +
-                           std::to_string(claims.size()) + " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
+  const std::string text =
+      path + ": " + std::to_string(nodes) + (nodes == 1 ? " configuration, " : " configurations, ") +
+      std::to_string(data["moves"].size()) + " moves, " + std::to_string(held) + " of " +
+      std::to_string(claims.size()) + " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
   program::Outputs outputs;
   outputs.add(path, page);
   program::finish(options, summary.dump(), text, std::move(outputs));

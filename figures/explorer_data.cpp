@@ -128,25 +128,18 @@ VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool othe
     switch (step) {
       // A segment of two v3s turns: they approach each other, each on the side away from the R_alpha that opens. Beside
       // a v5 the v3 moves away from its third edge.
-      case PairStep::slide_first:
-        return f.degenerate() ? between(out[0]) : along(f.first_leg);
+      case PairStep::slide_first: return f.degenerate() ? between(out[0]) : along(f.first_leg);
       case PairStep::slide_second:
         return f.degenerate() && other_is_alike ? between(f.second_leg) : along(f.second_leg);
-      case PairStep::open:
-        return between(f.first_leg);
-      case PairStep::close:
-        return along(out[0]);
+      case PairStep::open: return between(f.first_leg);
+      case PairStep::close: return along(out[0]);
     }
   }
   switch (step) {
-    case PairStep::slide_first:
-      return along(out[0]);
-    case PairStep::slide_second:
-      return along(out[2]);
-    case PairStep::open:
-      return along(out[1]);
-    case PairStep::close:
-      return f.degenerate() ? along(f.second_leg) : between(f.first_leg);
+    case PairStep::slide_first: return along(out[0]);
+    case PairStep::slide_second: return along(out[2]);
+    case PairStep::open: return along(out[1]);
+    case PairStep::close: return f.degenerate() ? along(f.second_leg) : between(f.first_leg);
   }
   return {};
 }

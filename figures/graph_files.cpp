@@ -35,7 +35,8 @@ void set(void* object, const char* name, const std::string& value) {
 
 std::string decimals(double x) {
   std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
+  return {buffer.data(),
+          std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
 }
 
 // What a reader of the graph wants to know, as names and values.

@@ -98,7 +98,8 @@ int main_body(int argc, char** argv) {
   program::require_folder(folder);
   // A list of what was written may go into the folder, which may be new.
   const std::filesystem::path list = std::filesystem::path(options.text("json")).lexically_normal();
-  if (list.parent_path() != (std::filesystem::path(folder) / "").lexically_normal().parent_path()) options.require_outputs();
+  if (list.parent_path() != (std::filesystem::path(folder) / "").lexically_normal().parent_path())
+    options.require_outputs();
   // All figures before the first file: nothing is written if one of them can not be made.
   struct Made {
     const figures::CatalogueEntry* entry;
@@ -123,7 +124,8 @@ int main_body(int argc, char** argv) {
   if (error) throw UsageError(folder + ": " + error.message());
   program::Outputs outputs;
   std::string told;
-  const auto write = [&](const std::string& name, std::string text, const std::string& title, nlohmann::ordered_json about) {
+  const auto write = [&](const std::string& name, std::string text, const std::string& title,
+                         nlohmann::ordered_json about) {
     const std::string path = (std::filesystem::path(folder) / name).string();
     outputs.add(path, std::move(text));
     about["file"] = path;

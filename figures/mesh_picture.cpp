@@ -16,14 +16,10 @@ using mesh::VertexId;
 
 Colour valence_colour(int valence) {
   switch (valence) {
-    case 2:
-      return ink::kPurple;
-    case 3:
-      return ink::kBlue;
-    case 5:
-      return ink::kOrange;
-    default:
-      return ink::kRed;
+    case 2: return ink::kPurple;
+    case 3: return ink::kBlue;
+    case 5: return ink::kOrange;
+    default: return ink::kRed;
   }
 }
 

@@ -373,15 +373,9 @@ Paint paint_pair_moves() {
       const auto outward = mesh::outward(start.mesh, move.frame);
       HalfEdgeId way;
       switch (move.step) {
-        case mesh::PairStep::slide_first:
-          way = outward[0];
-          break;
-        case mesh::PairStep::open:
-          way = outward[1];
-          break;
-        case mesh::PairStep::slide_second:
-          way = outward[2];
-          break;
+        case mesh::PairStep::slide_first: way = outward[0]; break;
+        case mesh::PairStep::open: way = outward[1]; break;
+        case mesh::PairStep::slide_second: way = outward[2]; break;
         case mesh::PairStep::close:
           way = mesh::outward(start.mesh, mesh::seen_from_other_end(start.mesh, move.frame))[0];
           break;

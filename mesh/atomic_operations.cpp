@@ -59,12 +59,9 @@ bool is_type_change(AtomicKind kind) { return kind == AtomicKind::raise || kind 
 
 bool AtomicRule::has(Way way) const {
   switch (way) {
-    case Way::collapse:
-      return collapses;
-    case Way::flip:
-      return flips;
-    case Way::split:
-      return splits;
+    case Way::collapse: return collapses;
+    case Way::flip: return flips;
+    case Way::split: return splits;
   }
   return false;
 }
@@ -167,12 +164,9 @@ namespace {
 
 Way inverse(Way way) {
   switch (way) {
-    case Way::collapse:
-      return Way::split;
-    case Way::flip:
-      return Way::flip;
-    case Way::split:
-      return Way::collapse;
+    case Way::collapse: return Way::split;
+    case Way::flip: return Way::flip;
+    case Way::split: return Way::collapse;
   }
   return way;
 }

@@ -22,7 +22,8 @@ std::string_view explain(Refusal refusal) {
     case Refusal::no_way: return "no path leads the 3-5 pair to a vertex that can take it";
     case Refusal::wrong_valences: return "the vertices do not have the valences that this needs";
     case Refusal::no_rectangle: return "the separatrices of the two span no rectangle (Lemma 7.8), which this needs";
-    case Refusal::odd_distance: return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";
+    case Refusal::odd_distance:
+      return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";
     case Refusal::lone_pair: return "a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)";
     case Refusal::lone_vertex: return "a single irregular vertex can not be moved (Theorem 7.1)";
     case Refusal::index: return "the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
@@ -106,7 +107,8 @@ Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& op) {
 void take_back(QuadMesh& mesh, const BasicOperation& inverse) {
   const Refusal refusal = apply(mesh, inverse).refusal;
   if (refusal != Refusal::none)
-    throw std::logic_error("the inverse of an operation, " + to_string(inverse) + ", was refused: " + std::string(explain(refusal)));
+    throw std::logic_error("the inverse of an operation, " + to_string(inverse) +
+                           ", was refused: " + std::string(explain(refusal)));
 }
 
 }  // namespace requad::mesh

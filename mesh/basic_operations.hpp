@@ -29,26 +29,26 @@ namespace requad::mesh {
 
 enum class Refusal {
   none,
-  dead_element,        // a handle does not name a live element
-  boundary_edge,       // a boundary edge can not be flipped
-  valence_too_low,     // an interior vertex would be left with valence 1, a boundary vertex with no face
-  edge_exists,         // the result would have two edges between the same vertices, or an edge from a vertex to itself
-  boundary_corner,     // the vertex to remove lies on the boundary
-  same_edge,           // both edges of the path are one
-  not_one_fan,         // the two half-edges are not in one fan of their vertex in this order
-  touches_boundary,    // a vertex that must keep its valence would change it (pair moves)
-  no_such_step,        // the pair has no configuration in this direction (pair moves)
-  irregular_in_the_way,// the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
-  breaks_feature,      // a feature edge would go (features.hpp)
-  moves_feature,       // a vertex on a feature would move (script.hpp)
-  no_way,              // no path leads the courier to a vertex that can take it (courier.hpp)
+  dead_element,      // a handle does not name a live element
+  boundary_edge,     // a boundary edge can not be flipped
+  valence_too_low,   // an interior vertex would be left with valence 1, a boundary vertex with no face
+  edge_exists,       // the result would have two edges between the same vertices, or an edge from a vertex to itself
+  boundary_corner,   // the vertex to remove lies on the boundary
+  same_edge,         // both edges of the path are one
+  not_one_fan,       // the two half-edges are not in one fan of their vertex in this order
+  touches_boundary,  // a vertex that must keep its valence would change it (pair moves)
+  no_such_step,      // the pair has no configuration in this direction (pair moves)
+  irregular_in_the_way,  // the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
+  breaks_feature,        // a feature edge would go (features.hpp)
+  moves_feature,         // a vertex on a feature would move (script.hpp)
+  no_way,                // no path leads the courier to a vertex that can take it (courier.hpp)
   // What no sequence of operations can do (complementary.hpp):
-  wrong_valences,      // the vertices are not of the valences that this is about
-  no_rectangle,        // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
-  odd_distance,        // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
-  lone_pair,           // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
-  lone_vertex,         // a single irregular vertex can not be moved (Theorem 7.1)
-  index                // discrete Gauss-Bonnet leaves no room (Equation 1)
+  wrong_valences,  // the vertices are not of the valences that this is about
+  no_rectangle,    // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
+  odd_distance,    // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
+  lone_pair,       // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
+  lone_vertex,     // a single irregular vertex can not be moved (Theorem 7.1)
+  index            // discrete Gauss-Bonnet leaves no room (Equation 1)
 };
 // One short clause, without full stop.
 std::string_view explain(Refusal refusal);
@@ -99,9 +99,9 @@ HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, in
 struct BasicOperation {
   enum class Kind { flip_ccw, flip_cw, collapse, split };
   Kind kind = Kind::flip_ccw;
-  HalfEdgeId h;        // the edge, the face's corner to keep, or the split's first
-  HalfEdgeId last;     // split only
-  int corner = 0;      // split only
+  HalfEdgeId h;     // the edge, the face's corner to keep, or the split's first
+  HalfEdgeId last;  // split only
+  int corner = 0;   // split only
 
   friend bool operator==(const BasicOperation&, const BasicOperation&) = default;
 };

@@ -8,12 +8,9 @@ namespace requad::mesh {
 
 const char* name(CourierStep::Way way) {
   switch (way) {
-    case CourierStep::Way::collapse:
-      return "collapse";
-    case CourierStep::Way::flip:
-      return "flip";
-    case CourierStep::Way::split:
-      return "split";
+    case CourierStep::Way::collapse: return "collapse";
+    case CourierStep::Way::flip: return "flip";
+    case CourierStep::Way::split: return "split";
   }
   return "";
 }

@@ -106,10 +106,9 @@ int subdivide(const Options& options) {
   program::Outputs outputs;
   outputs.add(output, mesh::obj_text(surface.mesh, surface.positions));
   const int vertices = surface.mesh.vertex_count(), faces = surface.mesh.face_count();
-  program::finish(options,
-                  ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
-                  counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n",
-                  std::move(outputs));
+  program::finish(
+      options, ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
+      counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n", std::move(outputs));
   return program::kDone;
 }
 

@@ -34,12 +34,8 @@ Refusal FeatureSet::why_not(const QuadMesh& mesh, const BasicOperation& op) cons
   bool breaks = false;
   switch (op.kind) {
     case BasicOperation::Kind::flip_ccw:
-    case BasicOperation::Kind::flip_cw:
-      breaks = is_edge(v, mesh.target(op.h));
-      break;
-    case BasicOperation::Kind::collapse:
-      breaks = is_vertex(mesh.origin(QuadMesh::opposite(op.h)));
-      break;
+    case BasicOperation::Kind::flip_cw: breaks = is_edge(v, mesh.target(op.h)); break;
+    case BasicOperation::Kind::collapse: breaks = is_vertex(mesh.origin(QuadMesh::opposite(op.h))); break;
     case BasicOperation::Kind::split:
       if (!is_vertex(v)) break;
       for (HalfEdgeId h = op.h; QuadMesh::previous(h) != op.last;) {

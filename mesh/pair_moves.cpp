@@ -184,9 +184,8 @@ class Passage {
       const PlannedStep planned = planned_step(m_, at_, {way, hand}, turn);
       if ((!kSplits && !can_land(planned.at_u)) || !can_land(planned.at_v)) return;
       if (operations_ == 0) {
-        const auto changed = why_not(m_, planned.operation) == Refusal::none
-                                 ? changed_vertices(m_, planned.operation)
-                                 : std::array<VertexId, 4>{};
+        const auto changed = why_not(m_, planned.operation) == Refusal::none ? changed_vertices(m_, planned.operation)
+                                                                             : std::array<VertexId, 4>{};
         if (!perform(planned.operation, changed)) return;
       } else {
         last_u_ = v3();
@@ -224,8 +223,8 @@ class Passage {
   Refusal refusal_ = Refusal::none;
   CourierPlace at_;
   int operations_ = 0;
-  HalfEdgeId made_;            // by the last operation
-  VertexId last_u_, last_v_;   // the courier before the last step
+  HalfEdgeId made_;           // by the last operation
+  VertexId last_u_, last_v_;  // the courier before the last step
   std::array<VertexId, 16> kept_;
   int kept_count_ = 0;
 };

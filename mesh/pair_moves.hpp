@@ -35,7 +35,8 @@
 namespace requad::mesh {
 
 enum class PairStep { slide_first, slide_second, open, close };
-inline constexpr std::array<PairStep, 4> kPairSteps{PairStep::slide_first, PairStep::slide_second, PairStep::open, PairStep::close};
+inline constexpr std::array<PairStep, 4> kPairSteps{PairStep::slide_first, PairStep::slide_second, PairStep::open,
+                                                    PairStep::close};
 PairStep inverse(PairStep step);
 const char* name(PairStep step);  // "slide_first", ...
 

@@ -17,11 +17,10 @@
 #include <system_error>
 #include <thread>
 
+#include <boost/crc.hpp>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <boost/crc.hpp>
 
 #include "mesh/quad_mesh.hpp"
 
@@ -214,7 +213,7 @@ Range parse_range(std::string_view text, std::string_view what) {
 }
 
 struct Outputs::Output {
-  std::string path;   // as it was given
+  std::string path;  // as it was given
   fs::path target;
   std::string temporary;  // "" if the text is written to the target as it is
   std::string text;       // if so
@@ -321,8 +320,10 @@ void require_folder(const std::string& path) {
   // The folder itself, or the first of those it is to be in that is there.
   std::error_code error;
   fs::path there = fs::absolute(path, error);
-  while (fs::status(there, error).type() == fs::file_type::not_found && there.has_relative_path()) there = there.parent_path();
-  if (!fs::is_directory(there, error)) can_not_write(path, error ? error.message() : there.string() + " is not a folder");
+  while (fs::status(there, error).type() == fs::file_type::not_found && there.has_relative_path())
+    there = there.parent_path();
+  if (!fs::is_directory(there, error))
+    can_not_write(path, error ? error.message() : there.string() + " is not a folder");
   require_access(path, there, W_OK | X_OK);
 }
 

@@ -272,7 +272,8 @@ std::size_t grown_for_nothing(const std::vector<Id>& free_ids, std::size_t capac
 }
 
 template <class T>
-bool equal_up_to(const std::vector<T>& a, std::size_t drop_a, const std::vector<T>& b, std::size_t drop_b, bool from_front) {
+bool equal_up_to(const std::vector<T>& a, std::size_t drop_a, const std::vector<T>& b, std::size_t drop_b,
+                 bool from_front) {
   const auto first = [from_front](const std::vector<T>& v, std::size_t drop) {
     return v.begin() + static_cast<std::ptrdiff_t>(from_front ? drop : 0);
   };

@@ -60,9 +60,7 @@ class QuadMesh {
   int half_edge_capacity() const { return static_cast<int>(sides_.size()); }
 
   bool is_live(VertexId v) const { return v.index() >= 0 && v.index() < vertex_capacity() && out_[v.slot()].valid(); }
-  bool is_live(HalfEdgeId h) const {
-    return h.index() >= 0 && h.index() < half_edge_capacity() && origin(h).valid();
-  }
+  bool is_live(HalfEdgeId h) const { return h.index() >= 0 && h.index() < half_edge_capacity() && origin(h).valid(); }
   bool is_live(FaceId f) const { return f.valid() && is_live(HalfEdgeId(4 * f.index())); }
 
   // Room for so many live elements, so that operations which make no more of them allocate nothing.
@@ -163,8 +161,8 @@ class QuadMesh {
     friend bool operator==(const Side&, const Side&) = default;
   };
 
-  std::vector<Side> sides_;       // per half-edge
-  std::vector<HalfEdgeId> out_;   // per vertex; none marks a deleted vertex
+  std::vector<Side> sides_;         // per half-edge
+  std::vector<HalfEdgeId> out_;     // per vertex; none marks a deleted vertex
   std::vector<FaceId> free_faces_;  // last in, first out, so that an operation and its inverse restore every id
   std::vector<VertexId> free_vertices_;
 };

@@ -76,7 +76,7 @@ void follow(const QuadMesh& m, std::span<Arrival> paths, int most) {
   }
   for (Arrival& path : paths) {
     const VertexId v = m.target(path.last);
-    path.end = m.is_boundary(v)            ? Separatrix::End::boundary
+    path.end = m.is_boundary(v)         ? Separatrix::End::boundary
                : m.face_valence(v) == 4 ? Separatrix::End::closed
                                         : Separatrix::End::irregular;
   }

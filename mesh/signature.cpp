@@ -27,7 +27,9 @@ void write_number(std::string& text, std::uint32_t value) {
 class SignatureWriter {
  public:
   SignatureWriter(const QuadMesh& mesh, Orientation orientation)
-      : m_(mesh), mirrored_(orientation == Orientation::mirrored), number_(static_cast<std::size_t>(mesh.face_capacity()), -1) {
+      : m_(mesh),
+        mirrored_(orientation == Orientation::mirrored),
+        number_(static_cast<std::size_t>(mesh.face_capacity()), -1) {
     entered_.reserve(static_cast<std::size_t>(m_.face_count()));
     text_.reserve(3 * static_cast<std::size_t>(m_.face_count()) + 16);
   }
@@ -98,7 +100,8 @@ class Orbits {
   void add(const std::vector<HalfEdgeId>& from, const std::vector<HalfEdgeId>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
       HalfEdgeId a = from[i], b = to[i];
-      for (int k = 0; k < 4; ++k, a = QuadMesh::next(a), b = QuadMesh::next(b)) parent_[representative(a)] = representative(b);
+      for (int k = 0; k < 4; ++k, a = QuadMesh::next(a), b = QuadMesh::next(b))
+        parent_[representative(a)] = representative(b);
     }
   }
   std::size_t representative(HalfEdgeId h) {
@@ -125,7 +128,9 @@ std::string canonical_signature(const QuadMesh& m, Orientation orientation) {
   std::map<KindOfVertex, int> count;
   for (const VertexId v : m.vertices()) ++count[kind(v)];
   if (count.empty()) return "";
-  const auto rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  const auto rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
+                        return a.second < b.second;
+                      })->first;
   SignatureWriter writer(m, orientation);
   std::string least;
   std::vector<HalfEdgeId> entered;  // in the walk that made it
@@ -162,11 +167,13 @@ Region from_signature(std::string_view text) {
     for (int shift = 0;; shift += 5) {
       if (at == text.size()) throw MeshError("signature ends too early");
       const std::size_t digit = kAlphabet.find(text[at]);
-      if (digit == std::string_view::npos) throw MeshError("signature: letter " + std::to_string(at + 1) + " is not in its alphabet");
+      if (digit == std::string_view::npos)
+        throw MeshError("signature: letter " + std::to_string(at + 1) + " is not in its alphabet");
       if (shift > 30) throw MeshError("signature: number too large at letter " + std::to_string(at + 1));
       ++at;
       value |= static_cast<std::int64_t>(digit % 32) << shift;
-      if (digit == 0 && shift > 0) throw MeshError("signature: number with a needless digit at letter " + std::to_string(at));
+      if (digit == 0 && shift > 0)
+        throw MeshError("signature: number with a needless digit at letter " + std::to_string(at));
       if (digit < 32) return value;
     }
   };
@@ -182,12 +189,14 @@ Region from_signature(std::string_view text) {
       twin[t] = static_cast<std::int32_t>(h);
     } else {
       const std::size_t t = h + static_cast<std::size_t>(value - 1);
-      if (t >= twin.size() || twin[t] != -2) throw MeshError("signature: letter " + std::to_string(at) + " glues an edge that is not free");
+      if (t >= twin.size() || twin[t] != -2)
+        throw MeshError("signature: letter " + std::to_string(at) + " glues an edge that is not free");
       twin[h] = static_cast<std::int32_t>(t);
       twin[t] = static_cast<std::int32_t>(h);
     }
   }
-  if (at != text.size()) throw MeshError("signature goes on after its last edge, from letter " + std::to_string(at + 1));
+  if (at != text.size())
+    throw MeshError("signature goes on after its last edge, from letter " + std::to_string(at + 1));
 
   // Corners that turning about a vertex connects are one vertex.
   const auto next = [](std::int32_t h) { return (h & ~3) | ((h + 1) & 3); };
@@ -246,6 +255,8 @@ std::vector<std::string> symmetric_signatures(const Region& r, Orientation orien
 }  // namespace
 
 std::vector<std::string> rotated_signatures(const Region& r) { return symmetric_signatures(r, Orientation::kept); }
-std::vector<std::string> reflected_signatures(const Region& r) { return symmetric_signatures(r, Orientation::mirrored); }
+std::vector<std::string> reflected_signatures(const Region& r) {
+  return symmetric_signatures(r, Orientation::mirrored);
+}
 
 }  // namespace requad::mesh

@@ -33,7 +33,8 @@ struct Nearest {
 // number, whatever the order in which the tree gives them. squared_distance(number) is to p. (Eigen's BVMinimize, with a
 // queue of boxes, takes memory for each query.)
 template <class SquaredDistance>
-void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const SquaredDistance& squared_distance, Nearest& best) {
+void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const SquaredDistance& squared_distance,
+                  Nearest& best) {
   BoxTree::VolumeIterator box = nullptr, last_box = nullptr;
   BoxTree::ObjectIterator number = nullptr, last_number = nullptr;
   tree.getChildren(node, box, last_box, number, last_number);

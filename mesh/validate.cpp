@@ -13,7 +13,9 @@ std::string at(const char* what, int index) { return std::string(what) + " " + s
 
 std::vector<Defect> validate(const QuadMesh& m) {
   std::vector<Defect> defects;
-  const auto report = [&defects](Defect::Kind kind, std::string message) { defects.push_back({kind, std::move(message)}); };
+  const auto report = [&defects](Defect::Kind kind, std::string message) {
+    defects.push_back({kind, std::move(message)});
+  };
   using Kind = Defect::Kind;
 
   const int half_edges = m.half_edge_capacity();
@@ -66,8 +68,9 @@ std::vector<Defect> validate(const QuadMesh& m) {
       report(Kind::twin, at("half-edge", h.index()) + "twin " + std::to_string(t.index()) + " does not answer");
       followable = false;
     } else if (m.origin(t) != m.target(h)) {
-      report(Kind::twin_ends, at("half-edge", h.index()) + "its twin starts at vertex " + std::to_string(m.origin(t).index()) +
-                                  ", not at " + std::to_string(m.target(h).index()));
+      report(Kind::twin_ends, at("half-edge", h.index()) + "its twin starts at vertex " +
+                                  std::to_string(m.origin(t).index()) + ", not at " +
+                                  std::to_string(m.target(h).index()));
       followable = false;
     }
   }
@@ -89,8 +92,8 @@ std::vector<Defect> validate(const QuadMesh& m) {
   }
   std::sort(edges.begin(), edges.end());
   for (auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end();) {
-    report(Kind::repeated_edge,
-           "vertices " + std::to_string((*it)[0]) + " and " + std::to_string((*it)[1]) + " are joined by more than one edge");
+    report(Kind::repeated_edge, "vertices " + std::to_string((*it)[0]) + " and " + std::to_string((*it)[1]) +
+                                    " are joined by more than one edge");
     it = std::upper_bound(it, edges.end(), *it);
   }
 
@@ -100,7 +103,8 @@ std::vector<Defect> validate(const QuadMesh& m) {
       continue;
     }
     if (m.origin(m.out(v)) != v) {
-      report(Kind::out, at("vertex", v.index()) + "its half-edge leaves vertex " + std::to_string(m.origin(m.out(v)).index()));
+      report(Kind::out,
+             at("vertex", v.index()) + "its half-edge leaves vertex " + std::to_string(m.origin(m.out(v)).index()));
       continue;
     }
     if (!followable) continue;
@@ -117,7 +121,8 @@ std::vector<Defect> validate(const QuadMesh& m) {
     if (open && !m.is_boundary(m.out(v))) {
       report(Kind::out, at("vertex", v.index()) + "its fan does not start on the boundary");
     } else if (reached != degree[v.slot()]) {
-      report(Kind::fan, at("vertex", v.index()) + "its " + std::to_string(degree[v.slot()]) + " faces form more than one fan");
+      report(Kind::fan,
+             at("vertex", v.index()) + "its " + std::to_string(degree[v.slot()]) + " faces form more than one fan");
     }
   }
   return defects;

@@ -1,9 +1,8 @@
 // The operation harness (claims B2, B3): every basic operation at every site of every small region. Legality is
 // predicted by surgery on face lists, which knows no half-edges.
-#include "tests/catch.hpp"
-
 #include "mesh/signature.hpp"
 #include "mesh/validate.hpp"
+#include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 using namespace requad;
@@ -20,7 +19,8 @@ struct Tally {
 };
 
 // One operation at one site: `expected` says whether it is legal and what comes out.
-void check_site(const Region& region, const BasicOperation& op, const tests::LegalResult& expected, std::mt19937& random, Tally& tally) {
+void check_site(const Region& region, const BasicOperation& op, const tests::LegalResult& expected,
+                std::mt19937& random, Tally& tally) {
   const QuadMesh& before = region.mesh;
   const Refusal refusal = why_not(before, op);
   INFO(to_string(op) << ": " << explain(refusal));
@@ -44,7 +44,8 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   REQUIRE(after.vertex_count() == before.vertex_count() + change);
   // The very mesh that the surgery made: the boundary vertices keep their names, so root at the same one.
   const VertexId root = before.origin(region.root);
-  REQUIRE(signature(after, after.out(root)) == signature(expected.mesh, expected.mesh.out(VertexId(expected.name[root.slot()]))));
+  REQUIRE(signature(after, after.out(root)) ==
+          signature(expected.mesh, expected.mesh.out(VertexId(expected.name[root.slot()]))));
 
   // O3, claim B2.
   const auto changed = changed_vertices(before, op);
@@ -83,8 +84,10 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   REQUIRE(apply(undone, done.inverse).refusal == Refusal::none);
   REQUIRE(undone == before);
   REQUIRE(validate(undone).empty());
-  const Kind inverse = op.kind == Kind::flip_ccw ? Kind::flip_cw : op.kind == Kind::flip_cw ? Kind::flip_ccw
-                       : op.kind == Kind::collapse ? Kind::split : Kind::collapse;
+  const Kind inverse = op.kind == Kind::flip_ccw   ? Kind::flip_cw
+                       : op.kind == Kind::flip_cw  ? Kind::flip_ccw
+                       : op.kind == Kind::collapse ? Kind::split
+                                                   : Kind::collapse;
   REQUIRE(done.inverse.kind == inverse);
 
   // The operation and its inverse commute with renaming everything.
@@ -152,7 +155,8 @@ TEST_CASE("every basic operation at every site of every region of perimeter <= 1
     total.legal += tally.legal;
     total.refused += tally.refused;
   }
-  WARN(entries.size() << " configurations: " << total.legal << " operations performed, " << total.refused << " refused");
+  WARN(entries.size() << " configurations: " << total.legal << " operations performed, " << total.refused
+                      << " refused");
   CHECK(total.legal > 50000);
   CHECK(total.refused > 1000);
 }
@@ -169,7 +173,8 @@ TEST_CASE("every flip and collapse at every site of closed meshes", "[operations
     for (int step = 0; step < round; ++step) {
       const auto all = m.half_edges();
       const HalfEdgeId h = all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(random)];
-      const Kind kind = std::array{Kind::flip_ccw, Kind::flip_cw, Kind::collapse, Kind::split}[std::uniform_int_distribution<std::size_t>(0, 3)(random)];
+      const Kind kind = std::array{Kind::flip_ccw, Kind::flip_cw, Kind::collapse,
+                                   Kind::split}[std::uniform_int_distribution<std::size_t>(0, 3)(random)];
       apply(m, {kind, h, kind == Kind::split ? m.previous(h) : HalfEdgeId(), 0});
     }
     REQUIRE(validate(m).empty());
@@ -180,8 +185,9 @@ TEST_CASE("every flip and collapse at every site of closed meshes", "[operations
         sites.push_back({{turn == Turn::clockwise ? Kind::flip_cw : Kind::flip_ccw, h, {}, 0},
                          tests::is_legal_result(m, tests::flipped(m, h, turn), m.vertex_capacity(), -1)});
       }
-      sites.push_back({{Kind::collapse, h, {}, 0},
-                       tests::is_legal_result(m, tests::collapsed(m, h), m.vertex_capacity(), m.target(m.next(h)).index())});
+      sites.push_back(
+          {{Kind::collapse, h, {}, 0},
+           tests::is_legal_result(m, tests::collapsed(m, h), m.vertex_capacity(), m.target(m.next(h)).index())});
     }
     for (const auto& [op, expected] : sites) {
       QuadMesh after = m;
@@ -217,7 +223,8 @@ TEST_CASE("each refusal occurs", "[operations]") {
   bool too_low = false, exists = false;
   for (const HalfEdgeId h : once.half_edges()) {
     too_low = too_low || why_not_collapse(once, h) == Refusal::valence_too_low;
-    exists = exists || why_not_flip(once, h, Turn::clockwise) == Refusal::edge_exists || why_not_collapse(once, h) == Refusal::edge_exists;
+    exists = exists || why_not_flip(once, h, Turn::clockwise) == Refusal::edge_exists ||
+             why_not_collapse(once, h) == Refusal::edge_exists;
   }
   CHECK(too_low);
   CHECK(exists);
@@ -235,7 +242,8 @@ TEST_CASE("a flip is one split and one collapse", "[operations]") {
     bool found = false;
     for (const HalfEdgeId first : g.mesh.half_edges()) {
       for (const HalfEdgeId last : g.mesh.half_edges()) {
-        if (found || g.mesh.target(last) != g.mesh.origin(first) || why_not_split(g.mesh, first, last) != Refusal::none) continue;
+        if (found || g.mesh.target(last) != g.mesh.origin(first) || why_not_split(g.mesh, first, last) != Refusal::none)
+          continue;
         if (g.mesh.origin(first) != g.mesh.origin(h) && g.mesh.origin(first) != g.mesh.target(h)) continue;
         QuadMesh split_mesh = g.mesh;
         split_unchecked(split_mesh, first, last);

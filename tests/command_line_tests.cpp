@@ -32,7 +32,8 @@ const std::vector<FuzzedProgram>& fuzzed_programs() {
       {"edit",
        {{"info", "in.obj"},
         {"info", "triangles.off", "--subdivide", "--json", "-"},
-        {"smooth", "in.obj", "--feature-angle", "30", "--weights", "chord", "--iterations", "3", "--project", "-o", "out.obj"},
+        {"smooth", "in.obj", "--feature-angle", "30", "--weights", "chord", "--iterations", "3", "--project", "-o",
+         "out.obj"},
         {"subdivide", "triangles.off", "-o", "out.obj"},
         {"moves", "in.obj", "153", "163"},
         {"move", "in.obj", "153", "163", "--step", "slide_first", "-o", "out.obj"},
@@ -40,7 +41,8 @@ const std::vector<FuzzedProgram>& fuzzed_programs() {
         {"merge", "digon.obj", "1", "9", "-o", "out.obj"},
         {"align", "in.obj", "153", "366", "-o", "out.obj"},
         {"part", "in.obj", "-o", "out.obj"},
-        {"reduce", "in.obj", "--until", "4", "--max-deviation", "0.01", "-o", "out.obj", "--script", "made.txt", "--map", "map.json"},
+        {"reduce", "in.obj", "--until", "4", "--max-deviation", "0.01", "-o", "out.obj", "--script", "made.txt",
+         "--map", "map.json"},
         {"atomic", "in.obj", "366"},
         {"atomic", "in.obj", "366", "149", "--make", "move-v3 flip left", "-o", "out.obj"},
         {"apply", "in.obj", "edits.txt", "-o", "out.obj"},
@@ -51,14 +53,16 @@ const std::vector<FuzzedProgram>& fuzzed_programs() {
         {"graph", "--sides", "5,5", "--pair", "3-3", "--format", "dot", "-o", "out.dot"},
         {"path", "--sides", "8,8", "--pair", "3-3", "--from", "1,1", "--to", "5,1", "-o", "out.obj"},
         {"search", "--sides", "4,4,4", "--irregular", "3,3,5", "--list", "--max-faces", "9"},
-        {"search", "--interior-quads", "1,2,2,1,2,2", "--irregular", "3,3", "--journal", "run.journal", "--limit-seconds", "1"},
+        {"search", "--interior-quads", "1,2,2,1,2,2", "--irregular", "3,3", "--journal", "run.journal",
+         "--limit-seconds", "1"},
         {"sphere", "--irregular", "3,3,3,3,3,3,3,3", "--vertices", "8..10", "--list", "--journal", "run.journal"},
         {"signature", "in.obj"},
         {"signature", "--from-signature", "1111f13e3934", "--json", "-"}}},
       {"verify",
        {{"--claim", "T2", "--digon", "3..5", "--json", "report.json", "--threads", "2"},
         {"--claim", "T2", "--digon", "3..4", "--certificate", "proof"},
-        {"--claim", "T4", "--claim", "N1", "--quad-perimeter", "8..10", "--method", "search", "--journal", "run.journal"},
+        {"--claim", "T4", "--claim", "N1", "--quad-perimeter", "8..10", "--method", "search", "--journal",
+         "run.journal"},
         {"--claim", "T3", "--hexagon", "3..4", "--proofs", "--quiet"},
         {"--list"},
         {"check", "proof"}}},
@@ -70,11 +74,48 @@ const std::vector<FuzzedProgram>& fuzzed_programs() {
 }
 
 const CommandLine& odd_words() {
-  static const CommandLine all{
-      "", "0", "1", "2", "3", "6", "-1", "1.5", "1e9", "99999999999999999999", "9223372036854775807", "nan",
-      "2,2", "4,4,4", "3,,3", "6,6,6,6,6,6", "3..5", "5..3", "..", "3-3", "5-5", "3-5", "T2", "walk", "svg",
-      "-", "--", ".", "in.obj", "no.obj", "run.journal", "two words", "'", "\xff\xfe",
-      "line\nend", "\n", "in\n.obj", "--sides=6\n,6", "3\n", "--json", "-o", "--help"};
+  static const CommandLine all{"",
+                               "0",
+                               "1",
+                               "2",
+                               "3",
+                               "6",
+                               "-1",
+                               "1.5",
+                               "1e9",
+                               "99999999999999999999",
+                               "9223372036854775807",
+                               "nan",
+                               "2,2",
+                               "4,4,4",
+                               "3,,3",
+                               "6,6,6,6,6,6",
+                               "3..5",
+                               "5..3",
+                               "..",
+                               "3-3",
+                               "5-5",
+                               "3-5",
+                               "T2",
+                               "walk",
+                               "svg",
+                               "-",
+                               "--",
+                               ".",
+                               "in.obj",
+                               "no.obj",
+                               "run.journal",
+                               "two words",
+                               "'",
+                               "\xff\xfe",
+                               "line\nend",
+                               "\n",
+                               "in\n.obj",
+                               "--sides=6\n,6",
+                               "3\n",
+                               "--json",
+                               "-o",
+                               "--help"};
   return all;
 }
 
@@ -102,7 +143,9 @@ void change_by_chance(CommandLine& words, const WordChange& drawn, const Command
   }
 }
 
-std::string shell_quoted(const std::string& word) { return "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'"; }
+std::string shell_quoted(const std::string& word) {
+  return "'" + std::regex_replace(word, std::regex("'"), "'\\''") + "'";
+}
 
 std::string command_of(const std::string& program, const CommandLine& words) {
   std::string text = "requad-" + program;
@@ -137,11 +180,13 @@ fs::path new_folder() {
   return folder;
 }
 
-constexpr int kOutOfTime = 128 + 24;  // SIGXCPU, after ten seconds: the soft limit; at a hard one the kernel kills by SIGKILL
+constexpr int kOutOfTime =
+    128 + 24;  // SIGXCPU, after ten seconds: the soft limit; at a hard one the kernel kills by SIGKILL
 
 tests::Outcome run_in_new_folder(const std::string& command) {
   new_folder();
-  spill(scratch() / "script", "cd command && ulimit -S -t 10 && exec '" REQUAD_PROGRAM_DIR "'/" + command + " </dev/null\n");
+  spill(scratch() / "script",
+        "cd command && ulimit -S -t 10 && exec '" REQUAD_PROGRAM_DIR "'/" + command + " </dev/null\n");
   return tests::call("edit", "--version >/dev/null; bash script");
 }
 
@@ -157,7 +202,8 @@ std::string ending_problem(const tests::Outcome& outcome) {
   }
   static const std::regex temporary("\\.[A-Za-z0-9]{6}");
   for (const auto& entry : fs::recursive_directory_iterator(scratch() / "command")) {
-    if (std::regex_match(entry.path().extension().string(), temporary)) return "it left " + entry.path().filename().string();
+    if (std::regex_match(entry.path().extension().string(), temporary))
+      return "it left " + entry.path().filename().string();
   }
   return "";
 }
@@ -180,14 +226,16 @@ TEST_CASE("whatever the arguments, a program does what they say or refuses them 
         [&] {
           CommandLine words = program.starts[*rc::gen::inRange(std::size_t{0}, program.starts.size())];
           const auto number = rc::gen::inRange(0U, 1U << 20);
-          for (const WordChange& drawn : *rc::gen::resize(3, rc::gen::container<std::vector<WordChange>>(rc::gen::tuple(number, number, number))))
+          for (const WordChange& drawn :
+               *rc::gen::resize(3, rc::gen::container<std::vector<WordChange>>(rc::gen::tuple(number, number, number))))
             change_by_chance(words, drawn, options);
           const std::string command = command_of(program.name, words);
           const tests::Outcome outcome = run_in_new_folder(command);
           ++(outcome.code == kOutOfTime ? out_of_time : outcome.code == 2 ? refused : done);
           const std::string problem = ending_problem(outcome);
           if (!problem.empty())
-            RC_FAIL(command + "\n" + problem + "; exit code " + std::to_string(outcome.code) + ", standard error: " + outcome.err);
+            RC_FAIL(command + "\n" + problem + "; exit code " + std::to_string(outcome.code) +
+                    ", standard error: " + outcome.err);
         },
         tests::kSanitized ? 25 : 100);
     CAPTURE(program.name, refused, done, out_of_time);

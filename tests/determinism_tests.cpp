@@ -36,8 +36,8 @@ std::string outputs(const std::string& variant, const std::string& folder, const
   fs::create_directory(out);
   const std::size_t blank = command.find(' ');
   const std::string arguments = std::regex_replace(command.substr(blank), std::regex("\\bIN\\b"), kIn);
-  tests::spill(tests::scratch() / "script",
-               "cd out && " + variant + " '" + folder + "/requad-" + command.substr(0, blank) + "' " + arguments + "\n");
+  tests::spill(tests::scratch() / "script", "cd out && " + variant + " '" + folder + "/requad-" +
+                                                command.substr(0, blank) + "' " + arguments + "\n");
   const tests::Outcome outcome = tests::call("edit", "--version >/dev/null; timeout 300 bash script");
   INFO(variant << " requad-" << command << ": " << outcome.err);
   CHECK(outcome.code == 0);
@@ -65,7 +65,6 @@ const std::vector<std::string> kCommands{
     "edit reduce IN -o reduced.obj --script edits.txt",
 };
 
-
 }  // namespace
 
 namespace {
@@ -82,9 +81,11 @@ bool is_to_be_had(const std::string& variant) {
 std::string decimal_commas() {
   const std::string folder = (tests::scratch() / "locales").string();
   fs::create_directory(folder);
-  tests::spill(tests::scratch() / "script", "localedef -i de_DE -f UTF-8 '" + folder + "/de_DE.UTF-8' 2>/dev/null && LOCPATH='" + folder +
+  tests::spill(tests::scratch() / "script", "localedef -i de_DE -f UTF-8 '" + folder +
+                                                "/de_DE.UTF-8' 2>/dev/null && LOCPATH='" + folder +
                                                 "' LC_ALL=de_DE.UTF-8 /usr/bin/printf %.1f 1,5\n");
-  if (tests::call("edit", "--version >/dev/null; bash script").out == "1,5") return "LOCPATH='" + folder + "' LC_ALL=de_DE.UTF-8";
+  if (tests::call("edit", "--version >/dev/null; bash script").out == "1,5")
+    return "LOCPATH='" + folder + "' LC_ALL=de_DE.UTF-8";
   WARN("skipped: there is no locale with decimal commas here; the package locales has the sources");
   return "";
 }
@@ -101,25 +102,26 @@ class Commas : public std::numpunct<char> {
 TEST_CASE("no text of the libraries depends on the locale that a program has set", "[determinism]") {
   const auto all = [] {
     const theory::PairType type = theory::kDigon;
-    const mesh::Region region = enumerate::glue_region(type, theory::parameter_set(type, theory::to_vector({12, 12})).front());
+    const mesh::Region region =
+        enumerate::glue_region(type, theory::parameter_set(type, theory::to_vector({12, 12})).front());
     verify::Ranges ranges;
     ranges.digon = {3, 12};
-    const verify::Claim& claim = *std::find_if(verify::claims().begin(), verify::claims().end(), [](const auto& c) { return c.id == "T2"; });
-    const auto result = verify::run_campaign({&claim}, verify::list_cases(ranges, claim.families), {verify::Method::moves},
-                                             {.threads = 1, .quiet = true});
+    const verify::Claim& claim =
+        *std::find_if(verify::claims().begin(), verify::claims().end(), [](const auto& c) { return c.id == "T2"; });
+    const auto result = verify::run_campaign({&claim}, verify::list_cases(ranges, claim.families),
+                                             {verify::Method::moves}, {.threads = 1, .quiet = true});
     const figures::GridFigure figure = figures::figure_10(12);
     const mesh::Surface surface = mesh::to_quad_mesh(mesh::parse_obj(mesh::obj_text(region), "a region"));
     mesh::QuadMesh m = surface.mesh;
     mesh::Positions positions = surface.positions;
     mesh::Editor editor(m, nullptr, &positions);
     const auto irregular = mesh::irregular_vertices(m);
-    REQUIRE(mesh::move_pair(editor, mesh::pair_moves(m, irregular.at(0), irregular.at(1)).at(0)).refusal == mesh::Refusal::none);
-    return std::vector<std::string>{mesh::obj_text(m, positions),
-                                    mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)),
-                                    mesh::signature(region),
-                                    verify::report_text(result, ranges),
-                                    figures::to_dot(figure),
-                                    figures::render(figures::paint_grid(figure), "svg")};
+    REQUIRE(mesh::move_pair(editor, mesh::pair_moves(m, irregular.at(0), irregular.at(1)).at(0)).refusal ==
+            mesh::Refusal::none);
+    return std::vector<std::string>{
+        mesh::obj_text(m, positions), mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)),
+        mesh::signature(region),      verify::report_text(result, ranges),
+        figures::to_dot(figure),      figures::render(figures::paint_grid(figure), "svg")};
   };
   const std::vector<std::string> expected = all();
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Commas));
@@ -134,8 +136,10 @@ TEST_CASE("no text of the libraries depends on the locale that a program has set
   std::locale::global(before);
   REQUIRE(now.size() == expected.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const auto differs = std::mismatch(now[i].begin(), now[i].end(), expected[i].begin(), expected[i].end()).first - now[i].begin();
-    INFO("text " << i << ": ..." << now[i].substr(static_cast<std::size_t>(std::max<std::ptrdiff_t>(differs - 40, 0)), 80));
+    const auto differs =
+        std::mismatch(now[i].begin(), now[i].end(), expected[i].begin(), expected[i].end()).first - now[i].begin();
+    INFO("text " << i << ": ..."
+                 << now[i].substr(static_cast<std::size_t>(std::max<std::ptrdiff_t>(differs - 40, 0)), 80));
     CHECK((now[i] == expected[i]));
   }
 }

@@ -22,7 +22,8 @@ TEST_CASE("three generators agree rel boundary", "[generators]") {
     REQUIRE(mesh::region_problem(entry.region).empty());
     const auto lengths = mesh::side_lengths(entry.region);
     REQUIRE(std::equal(lengths.begin(), lengths.end(), entry.sides.begin(), entry.sides.end()));
-    REQUIRE(entry.region.mesh.face_count() == theory::PairSystem(entry.type).face_count(entry.configuration.parameters));
+    REQUIRE(entry.region.mesh.face_count() ==
+            theory::PairSystem(entry.type).face_count(entry.configuration.parameters));
     const std::string expected = mesh::signature(entry.region);
     REQUIRE(mesh::signature(grow_region(entry.type, entry.configuration)) == expected);
     const auto start = simplest_configuration(entry.type, entry.sides);
@@ -60,7 +61,8 @@ TEST_CASE("exploration finds tau(9) = 16 configurations from any of them", "[exp
     const Exploration found = explore(theory::kDigon, {glue_region(theory::kDigon, c)});
     CHECK(found.nodes.size() == 16);
   }
-  const auto json = graph_json(explore_all(theory::kDigon, sides({9, 9}), theory::Apex::without), theory::Apex::without);
+  const auto json =
+      graph_json(explore_all(theory::kDigon, sides({9, 9}), theory::Apex::without), theory::Apex::without);
   CHECK(json["nodes"].size() == 16);
   CHECK(json["edges"].size() == 28);  // levels 1, 3, 5, 7 of as many edges, 2 + 4 + 6 between them
   CHECK(json["components"] == 1);
@@ -71,7 +73,8 @@ TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[explo
   for (const auto length : {3, 4, 5, 6}) {
     const auto s = theory::IntegerVector::Constant(6, length).eval();
     const auto found = found_graph(explore_all(theory::kHexagon, s, theory::Apex::with), theory::Apex::with);
-    const auto predicted = theory::configuration_graph(theory::configuration_map(theory::kHexagon, s, theory::Apex::with));
+    const auto predicted =
+        theory::configuration_graph(theory::configuration_map(theory::kHexagon, s, theory::Apex::with));
     CHECK(boost::isomorphism(found, predicted));
   }
 }
@@ -91,7 +94,8 @@ TEST_CASE("graph output in three formats", "[exploration]") {
   CHECK(dot.find("graph G {") != std::string::npos);
   CHECK(graph_graphml(found, theory::Apex::without).find("<graphml") != std::string::npos);
   // Where there is no configuration the graph is empty, not an error.
-  const auto none = graph_json(explore_all(theory::kQuad, sides({5, 4, 5, 4}), theory::Apex::without), theory::Apex::without);
+  const auto none =
+      graph_json(explore_all(theory::kQuad, sides({5, 4, 5, 4}), theory::Apex::without), theory::Apex::without);
   CHECK(none["nodes"].empty());
   CHECK(none["components"] == 0);
 }

@@ -130,7 +130,8 @@ TEST_CASE("what is no mesh is refused in one line", "[hostile]") {
 TEST_CASE("arguments that are odd or long are refused in one line", "[hostile]") {
   const auto before = files();
   // A line's end in an argument, in a name, and in the name of an option.
-  refused(shell(path_of("enumerate") + " search --irregular 3,3 --sides $'6,\\n6'"), before, {"'?6' is not an integer"});
+  refused(shell(path_of("enumerate") + " search --irregular 3,3 --sides $'6,\\n6'"), before,
+          {"'?6' is not an integer"});
   refused(shell(path_of("edit") + " info $'no\\nfile.obj'"), before, {"no?file.obj: can not be read"});
   refused(shell(path_of("edit") + " info $'--no\\noption'"), before, {"--no?option"});
   // A boundary of 200 million edges in 14 kB.
@@ -228,14 +229,17 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   CHECK(shell(edit + "/dev/null --json /dev/null").code == 0);
   CHECK(shell(edit + "nowhere/out.obj --help").code == 0);
   // Before any work: this would take hours.
-  refused(shell("timeout 20 " + path_of("verify") + " --digon 3..100 --hexagon 3..40 --json nowhere/report.json"), before,
-          {"nowhere/report.json", "No such file"});
-  refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."), before,
-          {"folder"});
-  refused(shell("timeout 20 " + path_of("verify") + " --hexagon 3..40 --certificate in.obj/proof"), before, {"in.obj/proof", "in.obj is not a folder"});
-  refused(shell("timeout 20 " + path_of("figures") + " --side 40 -o in.obj/pictures"), before, {"in.obj/pictures", "in.obj is not a folder"});
+  refused(shell("timeout 20 " + path_of("verify") + " --digon 3..100 --hexagon 3..40 --json nowhere/report.json"),
+          before, {"nowhere/report.json", "No such file"});
+  refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."),
+          before, {"folder"});
+  refused(shell("timeout 20 " + path_of("verify") + " --hexagon 3..40 --certificate in.obj/proof"), before,
+          {"in.obj/proof", "in.obj is not a folder"});
+  refused(shell("timeout 20 " + path_of("figures") + " --side 40 -o in.obj/pictures"), before,
+          {"in.obj/pictures", "in.obj is not a folder"});
   refused(shell("timeout 20 " + path_of("figures") + " --figure 2 -o in.obj"), before, {"in.obj is not a folder"});
-  refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before, {"is not a folder"});
+  refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before,
+          {"is not a folder"});
   // A disk that becomes full in the middle: a limit of 1 KiB on the size of files.
   for (const char* name : {"out.obj", "old.obj"}) {
     refused(shell("ulimit -f 1; " + edit + name), before, {name, "too large"});
@@ -246,7 +250,8 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   // What has room is not left behind without the rest: the edits' script, which is short, and a figure that is small.
   spill(scratch() / "old.txt", "the old script");
   const auto with_script = files();
-  refused(shell("ulimit -f 8; " + path_of("edit") + " move '" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj' 153 163 --step slide_first" +
+  refused(shell("ulimit -f 8; " + path_of("edit") +
+                " move '" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj' 153 163 --step slide_first" +
                 " --script old.txt -o out.obj"),
           with_script, {"out.obj", "too large"});
   CHECK(slurp(scratch() / "old.txt") == "the old script");
@@ -254,8 +259,8 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
               " --script short.txt -o - >long.obj")
             .code == 0);
   CHECK(fs::file_size(scratch() / "short.txt") < 8192);
-  refused(shell("ulimit -f 30; " + path_of("figures") + " --figure 10 --side 12 --format dot --format svg -o ."), files(),
-          {"figure-10.", "too large"});
+  refused(shell("ulimit -f 30; " + path_of("figures") + " --figure 10 --side 12 --format dot --format svg -o ."),
+          files(), {"figure-10.", "too large"});
   // Not to a file at all: a pipe by the name that programs have for it.
   CHECK((shell(edit + "/dev/stdout --quiet | cat").out == shell(edit + "-").out));
   // A folder without permission; root may write anywhere, unless that right is taken away.
@@ -309,7 +314,8 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
   for (const char* signal : {"KILL", "INT", "TERM"}) {
     CHECK(interrupt(path_of("edit") + " subdivide in.obj -o out.obj", "out.obj", signal) > 0);
   }
-  CHECK(interrupt(path_of("edit") + " reduce '" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj' --feature-angle 40 -o out.obj",
+  CHECK(interrupt(path_of("edit") + " reduce '" REQUAD_SOURCE_DIR
+                                    "/mesh/examples/figure-17.obj' --feature-angle 40 -o out.obj",
                   "out.obj", "INT") > 0);
   CHECK(interrupt(path_of("enumerate") + " search --sides 6,6,6 --irregular 3,3,5 --json search.json", "search.json",
                   "KILL") > 0);
@@ -319,7 +325,9 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
 }
 
 TEST_CASE("figures may be listed in the folder that is made for them, and asked for twice", "[hostile]") {
-  CHECK(shell(path_of("figures") + " --figure 2 --figure 2 --format svg --format svg -o new/pictures --json new/pictures/list.json").code == 0);
+  CHECK(shell(path_of("figures") +
+              " --figure 2 --figure 2 --format svg --format svg -o new/pictures --json new/pictures/list.json")
+            .code == 0);
   CHECK(fs::exists(scratch() / "new/pictures/figure-2.svg"));
   CHECK(slurp(scratch() / "new/pictures/list.json").find("figure-2.svg") != std::string::npos);
   refused(shell(path_of("figures") + " --figure 2 -o newer --json nowhere/list.json"), files(), {"nowhere/list.json"});

@@ -19,7 +19,8 @@ TEST_CASE("each folder includes only those it may use", "[includes]") {
   const std::string include = "#include \"";
   for (const auto& [folder, used] : may_use) {
     int own = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(REQUAD_SOURCE_DIR) + "/" + folder)) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::string(REQUAD_SOURCE_DIR) + "/" + folder)) {
       if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
       std::ifstream in(entry.path());
       for (std::string line; std::getline(in, line);) {

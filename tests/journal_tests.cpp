@@ -43,7 +43,8 @@ std::string refusal(const std::string& path, const std::string& run, std::size_t
 }
 
 // A run that is slow enough to be killed on its way, and its number of regions.
-const std::string kRun = "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
+const std::string kRun =
+    "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
 
 }  // namespace
 
@@ -130,7 +131,8 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   CHECK(refusal(path, "run a") == "--journal: " + path + ": line 4: case 3 stands here twice");
 
   // A case is an integer: checksums are right here, numbers are not.
-  for (const auto& [text, sum] : {std::pair{"{\"case\":1e20,\"result\":0}", "f9ee0582"}, std::pair{"{\"case\":-1,\"result\":0}", "a945e3da"}}) {
+  for (const auto& [text, sum] :
+       {std::pair{"{\"case\":1e20,\"result\":0}", "f9ee0582"}, std::pair{"{\"case\":-1,\"result\":0}", "a945e3da"}}) {
     spill(path, whole.substr(0, second) + sum + " " + text + "\n");
     CHECK(refusal(path, "run a").find("line 2: it is no record: no integer") != std::string::npos);
   }
@@ -196,8 +198,8 @@ TEST_CASE("a journal that the disk has no room for ends the run, and can be gone
   const Outcome at_once = call("verify", kRun + "--json at-once.json");
   REQUIRE(at_once.code == 0);
   // A limit on the size of files, of four blocks as the shell counts them: 512 bytes or 1 KiB.
-  const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " + kRun +
-                                        "--threads 2 --journal full.journal");
+  const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " +
+                                        kRun + "--threads 2 --journal full.journal");
   INFO(full.err);
   CHECK(full.code == 2);
   CHECK(line_count(full.err) == 1);
@@ -213,7 +215,8 @@ TEST_CASE("a journal that the disk has no room for ends the run, and can be gone
 }
 
 TEST_CASE("verify walks alone, far beyond what moves and search can do", "[journal]") {
-  const Outcome made = call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
+  const Outcome made =
+      call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
   CHECK(made.code == 0);
   // Theorem 7.2 for L = 150, N = 75: N (N - 1); Theorem 7.3 for L = 41, N = 20: 3 N^2.
   CHECK(made.out.find("\"walk\":5550") != std::string::npos);

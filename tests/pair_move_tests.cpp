@@ -37,12 +37,14 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       if (dart.target < 0) {
         ++impossible;
       } else {
-        expected.insert(signature(enumerate::glue_region(entry.type, map.nodes[static_cast<std::size_t>(dart.target)].configuration)));
+        expected.insert(signature(
+            enumerate::glue_region(entry.type, map.nodes[static_cast<std::size_t>(dart.target)].configuration)));
       }
     }
     int refused_here = 0;
     for (const PairMove& move : moves_of(before)) {
-      INFO(theory::label(entry.type, entry.configuration) << " " << name(move.step) << " on " << signature(entry.region));
+      INFO(theory::label(entry.type, entry.configuration)
+           << " " << name(move.step) << " on " << signature(entry.region));
       Region after = entry.region;
       const MoveReport report = move_pair(after.mesh, move);
       QuadMesh tried = before;
@@ -123,7 +125,9 @@ TEST_CASE("a third irregular vertex in the way stops a move and leaves the mesh 
     const BasicOperation op{BasicOperation::Kind::flip_cw, h, {}, 0};
     if (why_not(disturbed, op) != Refusal::none) continue;
     const auto touched = changed_vertices(disturbed, op);
-    if (std::any_of(touched.begin(), touched.end(), [&](VertexId v) { return v == pair[0] || v == pair[1] || disturbed.is_boundary(v); })) continue;
+    if (std::any_of(touched.begin(), touched.end(),
+                    [&](VertexId v) { return v == pair[0] || v == pair[1] || disturbed.is_boundary(v); }))
+      continue;
     apply(disturbed, op);
     const QuadMesh before = disturbed;
     for (const PairMove& move : pair_moves(disturbed, pair[0], pair[1])) {

@@ -1,6 +1,4 @@
 // The programs from outside: exit codes, one clear line for bad input, nothing half written.
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -9,6 +7,7 @@
 #include <thread>
 
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "tests/catch.hpp"
 #include "tests/programs.hpp"
@@ -35,13 +34,13 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"enumerate", "--no-such-option"},
       {"enumerate", "region"},
       {"enumerate", "region triangle 1 1 1,1"},
-      {"enumerate", "region digon 1 1 0,1"},                      // zero strips
+      {"enumerate", "region digon 1 1 0,1"},  // zero strips
       {"enumerate", "region digon 0 0 1,1"},
       {"enumerate", "region digon -- -1 1 1,1"},
       {"enumerate", "region digon 1 x 1,1"},
       {"enumerate", "region digon 1 1 1,1,1"},
       {"enumerate", "region digon 1 1 1,"},
-      {"enumerate", "region digon 99999999999999999999 1 1,1"},   // overflow
+      {"enumerate", "region digon 99999999999999999999 1 1,1"},  // overflow
       {"enumerate", "region digon 9000000000000000000 1 1,1"},
       {"enumerate", "region digon 900000 900000 1,1"},
       {"enumerate", "region digon 1 1 1,1 --generator magic"},
@@ -49,7 +48,7 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"enumerate", "graph --pair 3-3"},
       {"enumerate", "graph --sides 6,6"},
       {"enumerate", "graph --sides 6,6 --pair 4-4"},
-      {"enumerate", "graph --sides 6,7 --pair 3-3"},              // odd sum
+      {"enumerate", "graph --sides 6,7 --pair 3-3"},  // odd sum
       {"enumerate", "graph --sides 6,6,6 --pair 3-3"},
       {"enumerate", "graph --sides 0,6 --pair 3-3"},
       {"enumerate", "graph --sides 6,6 --pair 3-3 --format poem"},
@@ -58,9 +57,9 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 2,1"},
       {"enumerate", "path --sides 8,8 --pair 3-3 --from 1,1 --to 7,1"},
       {"enumerate", "path --sides 5,5,5,5,5,5 --pair 5-5 --from 1,0 --to 0,1,1"},
-      {"enumerate", "graph --sides 1000000,1000000 --pair 3-3"},   // more than memory holds
+      {"enumerate", "graph --sides 1000000,1000000 --pair 3-3"},  // more than memory holds
       {"enumerate", "path --sides 1000000,1000000 --pair 3-3 --from 1,1 --to 2,2"},
-      {"enumerate", "graph --sides 6,6 --pair 3-3 --from 1,1"},   // an option of another command
+      {"enumerate", "graph --sides 6,6 --pair 3-3 --from 1,1"},  // an option of another command
       {"enumerate", "graph --sides 6,6 --pair 3-3 --threads foo"},
       {"enumerate", "graph --sides 6,6 --pair 3-3 --json - -o -"},
       {"enumerate", "search --sides 6,6"},
@@ -69,12 +68,12 @@ TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[prog
       {"enumerate", "search --sides 6,6 --irregular 1"},
       {"enumerate", "search --sides 0,6 --irregular 3,3"},
       {"enumerate", "search --interior-quads 2,2,2,2,2,2 --irregular 3,3,3,3"},  // no end without a limit
-      {"enumerate", "sphere --irregular 3,3,3 --vertices 8..9"},  // indices do not sum to 8
+      {"enumerate", "sphere --irregular 3,3,3 --vertices 8..9"},                 // indices do not sum to 8
       {"enumerate", "sphere --irregular 3,3,3,3,3,3,3,3"},
       {"enumerate", "signature --from-signature zzz"},
       {"verify", "--failures /no/such/folder"},
       {"verify", "--claim T99"},
-      {"verify", "--digon 2..5"},                                 // L < 3
+      {"verify", "--digon 2..5"},  // L < 3
       {"verify", "--digon 9..5"},
       {"verify", "--digon 3..x"},
       {"verify", "--digon 3..99999999999999999999"},
@@ -109,13 +108,13 @@ TEST_CASE("requad-enumerate graph: the counts of the theorems", "[programs]") {
     CHECK(json["components"] == (json["nodes"].empty() ? 0 : 1));
     return json["nodes"].size();
   };
-  CHECK(nodes("--sides 9,9 --pair 3-3 --format json") == 16);          // tau(9) = 4^2
-  CHECK(nodes("--sides 6,6 --pair 3-3") == 6);                         // tau(6) = 3 * 2
+  CHECK(nodes("--sides 9,9 --pair 3-3 --format json") == 16);  // tau(9) = 4^2
+  CHECK(nodes("--sides 6,6 --pair 3-3") == 6);                 // tau(6) = 3 * 2
   CHECK(nodes("--sides 6,6 --pair 3-3 --with-apex") == 7);
-  CHECK(nodes("--sides 5,5,5,5,5,5 --pair 5-5") == 12);                // 3 * 2^2
-  CHECK(nodes("--sides 5,4,4,7 --pair 3-5") == 6);                     // M N = 3 * 2
-  CHECK(nodes("--sides 5,9 --pair 3-3") == 4);                         // tau(min)
-  CHECK(nodes("--sides 5,4,5,4 --pair 3-5") == 0);                     // a rectangle
+  CHECK(nodes("--sides 5,5,5,5,5,5 --pair 5-5") == 12);  // 3 * 2^2
+  CHECK(nodes("--sides 5,4,4,7 --pair 3-5") == 6);       // M N = 3 * 2
+  CHECK(nodes("--sides 5,9 --pair 3-3") == 4);           // tau(min)
+  CHECK(nodes("--sides 5,4,5,4 --pair 3-5") == 0);       // a rectangle
 }
 
 TEST_CASE("requad-enumerate region and path write whole files", "[programs]") {
@@ -160,7 +159,8 @@ TEST_CASE("requad-enumerate search, sphere and signature", "[programs]") {
   // OEIS A111361 and plantri's counts.
   const auto spheres = json_of("sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..20", 0);
   const std::vector<int> expected{1, 0, 1, 1, 2, 1, 5, 2, 8, 5, 12, 8, 25};
-  for (int v = 8; v <= 20; ++v) CHECK(spheres["counts"][std::to_string(v)] == expected[static_cast<std::size_t>(v - 8)]);
+  for (int v = 8; v <= 20; ++v)
+    CHECK(spheres["counts"][std::to_string(v)] == expected[static_cast<std::size_t>(v - 8)]);
   const auto cube = json_of("sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8 --list", 0);
   const std::string text = cube["spheres"][0];
   const auto rebuilt = json_of("signature --from-signature " + text, 0);
@@ -187,7 +187,8 @@ TEST_CASE("output follows links and leaves what is no file alone", "[programs]")
 }
 
 TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
-  const Outcome all = call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..20 --other-perimeter 4..14 --json -");
+  const Outcome all =
+      call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..20 --other-perimeter 4..14 --json -");
   CHECK(all.code == 0);
   const auto json = nlohmann::json::parse(all.out);
   CHECK(json["passed"] == true);
@@ -199,8 +200,9 @@ TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
 }
 
 TEST_CASE("certificates are checked again, and rejected after any change that matters", "[programs]") {
-  const Outcome made = call("verify", "--claim T2 --claim T3 --claim T4 --digon 3..6 --hexagon 3..4 --quad-perimeter 10..14 "
-                                      "--other-perimeter 4..12 --certificate proof --quiet");
+  const Outcome made = call("verify",
+                            "--claim T2 --claim T3 --claim T4 --digon 3..6 --hexagon 3..4 --quad-perimeter 10..14 "
+                            "--other-perimeter 4..12 --certificate proof --quiet");
   REQUIRE(made.code == 0);
   const Outcome held = call("verify", "check proof");
   CHECK(held.code == 0);

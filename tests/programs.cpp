@@ -32,8 +32,10 @@ Outcome call(const std::string& program, const std::string& arguments) {
   return outcome;
 }
 
-bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file, std::size_t lines) {
-  const std::string command = "cd '" + scratch().string() + "' && exec '" REQUAD_PROGRAM_DIR "/requad-" + program + "' " + arguments;
+bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,
+                    std::size_t lines) {
+  const std::string command =
+      "cd '" + scratch().string() + "' && exec '" REQUAD_PROGRAM_DIR "/requad-" + program + "' " + arguments;
   const pid_t child = fork();
   if (child == 0) {
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
@@ -64,7 +66,9 @@ std::string slurp(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-std::size_t line_count(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t line_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 void spill(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 

@@ -19,7 +19,8 @@ Outcome call(const std::string& program, const std::string& arguments);
 
 // Starts it likewise, and kills it (SIGKILL) as soon as this file in scratch() has so many lines. Whether that is how it
 // ended: false if it was done before.
-bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file, std::size_t lines);
+bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,
+                    std::size_t lines);
 
 // A new folder for this run of the tests.
 std::filesystem::path scratch();

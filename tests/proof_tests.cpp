@@ -258,7 +258,8 @@ TEST_CASE("a proof that fails makes its claim fail, in every report", "[proofs]"
   Ranges ranges;
   ranges.digon = {3, 4};
   ranges.other_perimeter = {4, 6};
-  CampaignResult result = run_campaign({&t2}, list_cases(ranges, t2.families), {Method::moves}, {.threads = 1, .quiet = true});
+  CampaignResult result =
+      run_campaign({&t2}, list_cases(ranges, t2.families), {Method::moves}, {.threads = 1, .quiet = true});
   REQUIRE(result.passed());
   const auto good = report_json(result, ranges)["claims"][0]["proof"];
   CHECK(good["proved"] == true);

@@ -242,7 +242,8 @@ Drawn some_configuration() {
   for (theory::Integer& e : c.parameters.e) e = *rc::gen::inRange(1, 6);
   c.p = *rc::gen::inRange(1, type.side_count() + 1);
   RC_PRE(theory::parameters_problem(type, c.parameters).empty());
-  RC_LOG() << type.name() << " " << theory::label(type, c) << ", sides " << theory::joined(theory::region_sides(type, c), ",") << "\n";
+  RC_LOG() << type.name() << " " << theory::label(type, c) << ", sides "
+           << theory::joined(theory::region_sides(type, c), ",") << "\n";
   return {type, c};
 }
 
@@ -283,7 +284,8 @@ TEST_CASE("the generators agree on random parameters", "[properties]") {
   holds("realised and glued regions", [] {
     const auto [type, c] = some_configuration();
     const theory::IntegerVector sides = theory::region_sides(type, c);
-    const enumerate::Realisation made = enumerate::realise(type, sides, enumerate::simplest_configuration(type, sides), c);
+    const enumerate::Realisation made =
+        enumerate::realise(type, sides, enumerate::simplest_configuration(type, sides), c);
     RC_ASSERT(signature(made.region) == signature(enumerate::glue_region(type, c)));
   });
   holds("grown and glued regions", [] {

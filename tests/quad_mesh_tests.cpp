@@ -1,8 +1,7 @@
 // mesh/: building, traversal, and the validator on meshes that are broken in every way it names.
-#include "tests/catch.hpp"
-
 #include "mesh/basic_operations.hpp"
 #include "mesh/validate.hpp"
+#include "tests/catch.hpp"
 #include "tests/support.hpp"
 
 using namespace requad::mesh;

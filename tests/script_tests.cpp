@@ -414,18 +414,10 @@ TEST_CASE("Law W4: a broken script changes nothing, however it is broken", "[scr
     for (auto changes = 1 + random() % 3; changes > 0; --changes) {
       const std::size_t at = random() % bad.size();
       switch (random() % 4) {
-        case 0:
-          bad[at] = letters[random() % letters.size()];
-          break;
-        case 1:
-          bad.erase(at, 1 + random() % 8);
-          break;
-        case 2:
-          bad.insert(at, bad.substr(random() % bad.size(), random() % 40));
-          break;
-        default:
-          bad[at] = static_cast<char>(random() % 256);
-          break;
+        case 0: bad[at] = letters[random() % letters.size()]; break;
+        case 1: bad.erase(at, 1 + random() % 8); break;
+        case 2: bad.insert(at, bad.substr(random() % bad.size(), random() % 40)); break;
+        default: bad[at] = static_cast<char>(random() % 256); break;
       }
     }
     INFO("round " << round);

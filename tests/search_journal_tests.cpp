@@ -45,10 +45,11 @@ void check_same(const CountedSearch& a, const CountedSearch& b) {
 // What a search writes that found nothing and has this left.
 JournalFile::Record nothing_found(const JournalFile::Record& left) {
   const auto none = JournalFile::Record::array();
-  return {{"found", {{"count", 0}, {"by_faces", none}, {"symmetries", {1, 1}}, {"fixing", {0, 0}}, {"signatures", none}}},
-          {"states", 0},
-          {"face_limit_cut", false},
-          {"left", left}};
+  return {
+      {"found", {{"count", 0}, {"by_faces", none}, {"symmetries", {1, 1}}, {"fixing", {0, 0}}, {"signatures", none}}},
+      {"states", 0},
+      {"face_limit_cut", false},
+      {"left", left}};
 }
 
 // What is wrong with a journal of this search; "" if nothing.
@@ -155,16 +156,30 @@ TEST_CASE("a search's journal that says what can not be is refused", "[search][j
   };
   CHECK(refused("", "") == "");
   const std::string prefix = "--journal: " + journal.path + ": ";
-  for (const auto& [place, value] : std::vector<std::pair<std::string, std::string>>{
-           {"/states", "-1"}, {"/states", "1e3"}, {"/states", "18446744073709551615"}, {"/face_limit_cut", "1"},
-           {"/left", "[[0,2147483648]]"}, {"/left", "[0]"}, {"/left/0/1", "0.5"}, {"/found", "[]"}, {"/found/count", "-1"},
-           {"/found/by_faces", "[[0,1]]"}, {"/found/by_faces", "[[7]]"}, {"/found/by_faces", "[[7,9223372036854775807],[7,1]]"},
-           {"/found/symmetries", "[0,1]"}, {"/found/symmetries/1", "null"}, {"/found/fixing", "[0]"}, {"/found/signatures", "[7]"}, {"/found/signatures", "\"x\""}}) {
+  for (const auto& [place, value] :
+       std::vector<std::pair<std::string, std::string>>{{"/states", "-1"},
+                                                        {"/states", "1e3"},
+                                                        {"/states", "18446744073709551615"},
+                                                        {"/face_limit_cut", "1"},
+                                                        {"/left", "[[0,2147483648]]"},
+                                                        {"/left", "[0]"},
+                                                        {"/left/0/1", "0.5"},
+                                                        {"/found", "[]"},
+                                                        {"/found/count", "-1"},
+                                                        {"/found/by_faces", "[[0,1]]"},
+                                                        {"/found/by_faces", "[[7]]"},
+                                                        {"/found/by_faces", "[[7,9223372036854775807],[7,1]]"},
+                                                        {"/found/symmetries", "[0,1]"},
+                                                        {"/found/symmetries/1", "null"},
+                                                        {"/found/fixing", "[0]"},
+                                                        {"/found/signatures", "[7]"},
+                                                        {"/found/signatures", "\"x\""}}) {
     CAPTURE(place, value);
     CHECK(refused(place, value).starts_with(prefix + "line 2: it is no record: "));
   }
   // No start but 0; no trail of an even number; no move that was not listed; more left than was.
-  for (const char* left : {"[[]]", "[[1,1]]", "[[0]]", "[[0,0,1]]", "[[0,1000]]", "[[0,1000,0,0]]", "[[0,0,1,0]]", "[[0,0,0,1000]]"}) {
+  for (const char* left :
+       {"[[]]", "[[1,1]]", "[[0]]", "[[0,0,1]]", "[[0,1000]]", "[[0,1000,0,0]]", "[[0,0,1,0]]", "[[0,0,0,1000]]"}) {
     CAPTURE(left);
     CHECK(refused("/left", left).starts_with(prefix + "what is left in the last line is nothing of this search: "));
   }
@@ -182,8 +197,10 @@ TEST_CASE("a search that was killed, or out of time, goes on by the same command
   const tests::Outcome at_once = call("enumerate", run + "--json search-at-once.json");
   REQUIRE(at_once.code == 0);
   for (const std::size_t lines : {std::size_t{2}, std::size_t{3}})
-    CHECK(tests::killed_at_line("enumerate", run + "--threads 2 --journal killed-search.journal >/dev/null", "killed-search.journal", lines));
-  const tests::Outcome rest = call("enumerate", run + "--json search-rest.json --journal killed-search.journal --threads 1");
+    CHECK(tests::killed_at_line("enumerate", run + "--threads 2 --journal killed-search.journal >/dev/null",
+                                "killed-search.journal", lines));
+  const tests::Outcome rest =
+      call("enumerate", run + "--json search-rest.json --journal killed-search.journal --threads 1");
   CHECK(rest.code == 0);
   CHECK(rest.out == at_once.out);
   CHECK(slurp(scratch() / "search-rest.json") == slurp(scratch() / "search-at-once.json"));

@@ -79,10 +79,13 @@ std::string least_signature(const QuadMesh& m, Orientation orientation) {
   const auto kind = [&m](VertexId v) { return VertexKind{m.is_boundary(v), m.face_valence(v)}; };
   std::map<VertexKind, int> count;
   for (const VertexId v : m.vertices()) ++count[kind(v)];
-  const VertexKind rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  const VertexKind rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
+                              return a.second < b.second;
+                            })->first;
   std::set<std::string> all;
   for (const HalfEdgeId h : m.half_edges()) {
-    if (kind(orientation == Orientation::kept ? m.origin(h) : m.target(h)) == rarest) all.insert(signature(m, h, orientation));
+    if (kind(orientation == Orientation::kept ? m.origin(h) : m.target(h)) == rarest)
+      all.insert(signature(m, h, orientation));
   }
   return *all.begin();
 }
@@ -91,7 +94,8 @@ std::string least_signature(const QuadMesh& m, Orientation orientation) {
 
 TEST_CASE("the canonical signature is the least, whatever symmetries spare", "[signature]") {
   std::mt19937 random(8);
-  std::vector<QuadMesh> meshes{tests::cube(), tests::torus(3, 3), tests::torus(4, 4), tests::torus(4, 6), tests::torus(3, 8)};
+  std::vector<QuadMesh> meshes{tests::cube(), tests::torus(3, 3), tests::torus(4, 4), tests::torus(4, 6),
+                               tests::torus(3, 8)};
   // Without symmetry; and with one, half-way round a torus, and several orbits of roots.
   for (int i = 0; i < 40; ++i) {
     QuadMesh m = meshes[static_cast<std::size_t>(i) % 5];
@@ -126,7 +130,8 @@ TEST_CASE("mirrored signatures are those of the mirrored mesh", "[signature]") {
     for (auto& face : faces) std::swap(face[1], face[3]);
     const QuadMesh mirrored = QuadMesh::from_faces(entry.region.mesh.vertex_capacity(), faces);
     const VertexId a = entry.region.mesh.origin(entry.region.root), b = entry.region.mesh.target(entry.region.root);
-    REQUIRE(signature(entry.region.mesh, entry.region.root, Orientation::mirrored) == signature(mirrored, mirrored.find_half_edge(b, a)));
+    REQUIRE(signature(entry.region.mesh, entry.region.root, Orientation::mirrored) ==
+            signature(mirrored, mirrored.find_half_edge(b, a)));
   }
 }
 
@@ -143,8 +148,9 @@ TEST_CASE("orbits under the boundary's symmetries", "[signature]") {
 
 TEST_CASE("texts that are no signatures are refused in one line", "[signature]") {
   const std::string good = signature(tests::grid(2, 2));
-  for (const std::string& text : {std::string(), std::string("0"), std::string("!!"), good + "0", good.substr(1), std::string("ZZZZZZZZZZZZ"), std::string("00001"), std::string("2222"),
-                                 std::string("w0000"), std::string("000w0")}) {  // w0 is 0 again
+  for (const std::string& text :
+       {std::string(), std::string("0"), std::string("!!"), good + "0", good.substr(1), std::string("ZZZZZZZZZZZZ"),
+        std::string("00001"), std::string("2222"), std::string("w0000"), std::string("000w0")}) {  // w0 is 0 again
     INFO(text);
     try {
       from_signature(text);

@@ -44,7 +44,8 @@ using FaceList = std::vector<std::array<int, 4>>;
 FaceList face_list(const mesh::QuadMesh& mesh);
 FaceList flipped(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h, mesh::Turn turn);
 FaceList collapsed(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h);
-FaceList split(const mesh::QuadMesh& mesh, const std::vector<mesh::FaceId>& sector, mesh::HalfEdgeId first, mesh::HalfEdgeId last);
+FaceList split(const mesh::QuadMesh& mesh, const std::vector<mesh::FaceId>& sector, mesh::HalfEdgeId first,
+               mesh::HalfEdgeId last);
 
 // Whether the faces are a simple, manifold mesh on all of `vertices` (without `gone`, if >= 0) that has the boundary
 // cycle and the Euler characteristic of `before`. The mesh itself, if so.

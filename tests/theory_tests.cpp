@@ -50,7 +50,8 @@ TEST_CASE("Law 1 is the paper's three systems", "[theory]") {
         sides({d1 + e2 + e6, e1 + e3, d2 + e2 + e4, d1 + e3 + e5, e4 + e6, d2 + e1 + e5}));
   // Equation 3.
   const PairSystem quad(kQuad);
-  CHECK(quad.side_lengths(parameters(d1, d2, {e1, e2, e3, e4})) == sides({d1 + e2 + e4, e1 + e3, d2 + e2 + e4, d1 + d2 + e1 + e3}));
+  CHECK(quad.side_lengths(parameters(d1, d2, {e1, e2, e3, e4})) ==
+        sides({d1 + e2 + e4, e1 + e3, d2 + e2 + e4, d1 + d2 + e1 + e3}));
 }
 
 TEST_CASE("Law 2: the strip matrix is singular exactly when 4 divides k", "[theory]") {
@@ -111,7 +112,7 @@ TEST_CASE("solve_circulant finds exactly the positive solutions", "[theory]") {
       REQUIRE(found == expected);
     }
   }
-  CHECK(solve_circulant(sides({3, 4})).empty());      // parity
+  CHECK(solve_circulant(sides({3, 4})).empty());        // parity
   CHECK(solve_circulant(sides({2, 2, 9, 2})).empty());  // 2 = e2 + e4 = 9
 }
 
@@ -134,12 +135,14 @@ TEST_CASE("parameter sets: the theorem's set, its parity and its identification"
       }
     }
     std::set<std::pair<Integer, Integer>> found;
-    for (const Configuration& c : parameter_set(kDigon, IntegerVector::Constant(2, length))) found.emplace(c.d1(), c.d2());
+    for (const Configuration& c : parameter_set(kDigon, IntegerVector::Constant(2, length)))
+      found.emplace(c.d1(), c.d2());
     CHECK(found == expected);
     CHECK(static_cast<Integer>(found.size()) == tau_digon(length));
 
     std::set<std::tuple<Integer, Integer, int>> hexagon;
-    for (const Configuration& c : parameter_set(kHexagon, IntegerVector::Constant(6, length))) hexagon.emplace(c.d1(), c.d2(), c.p);
+    for (const Configuration& c : parameter_set(kHexagon, IntegerVector::Constant(6, length)))
+      hexagon.emplace(c.d1(), c.d2(), c.p);
     std::set<std::tuple<Integer, Integer, int>> hexagon_expected;
     for (const auto& [m, n] : expected) {
       for (int p = 1; p <= 3; ++p) hexagon_expected.emplace(m, n, p);
@@ -175,7 +178,8 @@ TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
     }
     return twice;
   };
-  for (const auto& [type, longest] : {std::pair{kDigon, Integer{6}}, std::pair{kQuad, Integer{4}}, std::pair{kHexagon, Integer{3}}}) {
+  for (const auto& [type, longest] :
+       {std::pair{kDigon, Integer{6}}, std::pair{kQuad, Integer{4}}, std::pair{kHexagon, Integer{3}}}) {
     int compared = 0;
     for (const auto& [s, twice] : brute(type, longest)) {
       // A side no longer than the bound + 1 keeps every parameter within it.
@@ -269,10 +273,11 @@ TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
   CHECK(edges_between(even, {2, 0}, {1, 1}) == 2);
   CHECK(edges_between(even, {1, 1}, {0, 0}) == 1);
   CHECK(edges_between(even, {2, 0}, {2, 0}) == 0);
-  for (const auto& [graph, levels, factor] : {std::tuple{even, std::vector<Integer>{2, 4, 6}, Integer{1}},
-                                              std::tuple{odd, std::vector<Integer>{1, 3, 5}, Integer{1}},
-                                              std::tuple{configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 8), Apex::with)),
-                                                         std::vector<Integer>{2, 4, 6}, Integer{3}}}) {
+  for (const auto& [graph, levels, factor] :
+       {std::tuple{even, std::vector<Integer>{2, 4, 6}, Integer{1}},
+        std::tuple{odd, std::vector<Integer>{1, 3, 5}, Integer{1}},
+        std::tuple{configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 8), Apex::with)),
+                   std::vector<Integer>{2, 4, 6}, Integer{3}}}) {
     for (const Integer s : levels) {
       Integer within = 0, up = 0, nodes = 0;
       for (const auto v : boost::make_iterator_range(vertices(graph))) {
@@ -290,7 +295,8 @@ TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
       CHECK(up == (s == levels.back() ? 0 : factor * (s + 1)));
     }
   }
-  CHECK(degree_total(configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with)), true) == 3);
+  CHECK(degree_total(configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with)),
+                     true) == 3);
   // 3-5: an M x N grid has 2 M N - M - N edges.
   const auto grid = configuration_graph(configuration_map(kQuad, sides({5, 4, 4, 7}), Apex::with));
   CHECK(num_vertices(grid) == 6);
@@ -298,11 +304,12 @@ TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
 }
 
 TEST_CASE("moves of the predicted map come in pairs", "[theory]") {
-  for (const auto& map : {configuration_map(kDigon, sides({10, 10}), Apex::with), configuration_map(kDigon, sides({9, 9}), Apex::with),
-                          configuration_map(kHexagon, IntegerVector::Constant(6, 7), Apex::with),
-                          configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with),
-                          configuration_map(kHexagon, sides({5, 4, 5, 6, 3, 7}), Apex::with),
-                          configuration_map(kQuad, sides({5, 4, 4, 7}), Apex::with)}) {
+  for (const auto& map :
+       {configuration_map(kDigon, sides({10, 10}), Apex::with), configuration_map(kDigon, sides({9, 9}), Apex::with),
+        configuration_map(kHexagon, IntegerVector::Constant(6, 7), Apex::with),
+        configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with),
+        configuration_map(kHexagon, sides({5, 4, 5, 6, 3, 7}), Apex::with),
+        configuration_map(kQuad, sides({5, 4, 4, 7}), Apex::with)}) {
     for (std::size_t i = 0; i < map.nodes.size(); ++i) {
       for (std::size_t slot = 0; slot < map.nodes[i].moves.size(); ++slot) {
         const Dart& dart = map.nodes[i].moves[slot];

@@ -21,7 +21,9 @@ const Claim& claim(const std::string& id) {
 
 const std::set<Method> kAll{Method::moves, Method::search, Method::walk};
 
-Study study_of(Family family, theory::PairType type, const theory::IntegerVector& s) { return study({family, type, s}, kAll); }
+Study study_of(Family family, theory::PairType type, const theory::IntegerVector& s) {
+  return study({family, type, s}, kAll);
+}
 
 Ranges small_ranges() {
   Ranges r;
@@ -65,7 +67,8 @@ TEST_CASE("the report has the keys that others rely on", "[verify]") {
   CHECK(json["passed"] == true);
   CHECK(json["claims"].size() == claims().size());
   for (const auto& c : json["claims"]) {
-    for (const char* key : {"id", "statement", "verdict", "instances", "range", "methods", "seconds", "counterexample", "table"}) {
+    for (const char* key :
+         {"id", "statement", "verdict", "instances", "range", "methods", "seconds", "counterexample", "table"}) {
       CHECK(c.contains(key));
     }
     CHECK(c["verdict"] == "holds");
@@ -77,7 +80,8 @@ TEST_CASE("the report has the keys that others rely on", "[verify]") {
 TEST_CASE("the HTML report has a section for each claim and is self-contained", "[verify]") {
   const std::string html = report_html(run_small(2), small_ranges());
   for (const Claim& c : claims()) CHECK(html.find("<h2 id=\"" + c.id + "\">") != std::string::npos);
-  for (const char* outside : {"http:", "https:", "<script", "<link", "src="}) CHECK(html.find(outside) == std::string::npos);
+  for (const char* outside : {"http:", "https:", "<script", "<link", "src="})
+    CHECK(html.find(outside) == std::string::npos);
   CHECK(html.find("</html>") != std::string::npos);
 }
 
@@ -123,7 +127,8 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     fails(id, s, [](Study& x) { ++x.exact_count; });
     fails(id, s, [](Study& x) { x.predicted_of[0] = -1; });
     fails(id, s, [](Study& x) { std::swap(x.predicted_of[0], x.predicted_of[1]); });
-    fails(id, s, [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
+    fails(id, s,
+          [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
     fails(id, s, [&](Study& x) { first_made(x).restored = false; });
     fails(id, s, [&](Study& x) { first_made(x).inverse_returns = false; });
     fails(id, s, [&](Study& x) { first_refused(x).refused_unchanged = false; });
@@ -141,7 +146,11 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   };
   fails("P1", quad, other_d1);
   fails("P1", quad, [](Study& x) { x.found.moves.pop_back(); });
-  fails("P1", quad, [&](Study& x) { first_made(x) = *std::find_if(x.found.moves.begin(), x.found.moves.end(), [&](const auto& m) { return m.to >= 0 && &m != &first_made(x) && m.from == first_made(x).from; }); });
+  fails("P1", quad, [&](Study& x) {
+    first_made(x) = *std::find_if(x.found.moves.begin(), x.found.moves.end(), [&](const auto& m) {
+      return m.to >= 0 && &m != &first_made(x) && m.from == first_made(x).from;
+    });
+  });
   fails("P2", digon, other_d1);
   fails("P2", hexagon, other_d1);
   fails("P3", hexagon, [&](Study& x) { ++first_made(x).faces_made; });
@@ -166,7 +175,8 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("L8", hexagon, [](Study& x) { ++x.found.nodes[0].reading.frames[0].frame.a; });
   fails("L9", digon, [](Study& x) {
     // An L of three quads: five corners, no curvature.
-    x.found.nodes[0].region = {mesh::QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}), mesh::HalfEdgeId(0)};
+    x.found.nodes[0].region = {mesh::QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}),
+                               mesh::HalfEdgeId(0)};
   });
   fails("L10", hexagon, [](Study& x) { std::swap(x.found.nodes[0].signature, x.found.nodes[1].signature); });
   fails("T11", quad, [](Study& x) {
@@ -177,7 +187,8 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("M1", digon, [](Study& x) { x.searched->push_back(mesh::signature(tests::grid(3, 3))); });
   fails("R1", quad, [](Study& x) { x.found.nodes[0].signature += "0"; });
   fails("F1", digon, [](Study& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
-  fails("F1", digon, [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
+  fails("F1", digon,
+        [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
   fails("F1", hexagon, lose_last_node);
   fails("N1", quad, [](Study& x) { x.region.sides = sides({5, 4, 5, 4}); });
   fails("N1", quad, [](Study& x) { x.found.nodes[0].region = tests::grid(3, 3); });
@@ -194,12 +205,14 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
 
   // One irregular vertex: another vertex in its place, or operations that are not there.
   const auto single = [](int valence, theory::Integer length) {
-    return study_of(Family::single_vertex, valence == 2 ? theory::kDigon : theory::PairType{valence + 1, 3}, theory::IntegerVector::Constant(valence, length));
+    return study_of(Family::single_vertex, valence == 2 ? theory::kDigon : theory::PairType{valence + 1, 3},
+                    theory::IntegerVector::Constant(valence, length));
   };
   fails("T1", single(5, 4), [](Study& x) { x.searched->clear(); });
   fails("T1", single(5, 4), [](Study& x) { x.single.clear(); });
   fails("T1", single(8, 3), [](Study& x) { x.searched->pop_back(), x.single.pop_back(); });
-  fails("T1", single(5, 4), [](Study& x) { x.single.push_back(x.single[0]), x.searched->push_back(x.searched->front()); });
+  fails("T1", single(5, 4),
+        [](Study& x) { x.single.push_back(x.single[0]), x.searched->push_back(x.searched->front()); });
   const auto instead = [](const Study& other) { return [other](Study& x) { x.single = other.single; }; };
   fails("A2", single(3, 6), [&](Study& x) { x.single = single(5, 6).single; });
   fails("A3", single(4, 6), instead(single(5, 6)));
@@ -226,6 +239,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   // A1 at a pair that is not adjacent.
   const Study adjacent = study_of(Family::quad, theory::kQuad, sides({5, 4, 4, 5}));
   fails("A1", adjacent, [&](Study& x) {
-    for (auto& node : x.found.nodes) node.region = enumerate::glue_region(theory::kQuad, {{2, 1, theory::IntegerVector::Constant(4, 2)}, 1});
+    for (auto& node : x.found.nodes)
+      node.region = enumerate::glue_region(theory::kQuad, {{2, 1, theory::IntegerVector::Constant(4, 2)}, 1});
   });
 }

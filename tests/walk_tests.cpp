@@ -31,17 +31,21 @@ std::int64_t tau(std::int64_t length) {
 // the next level, one to the apex (Figure 10). A hexagon has three times as many (Figure 11).
 std::int64_t grid_edges(std::int64_t length) {
   std::int64_t edges = length % 2 == 0 ? 1 : 0;
-  for (std::int64_t s = length % 2 == 0 ? 2 : 1; s <= length - 2; s += 2) edges += s + (s + 2 <= length - 2 ? s + 1 : 0);
+  for (std::int64_t s = length % 2 == 0 ? 2 : 1; s <= length - 2; s += 2)
+    edges += s + (s + 2 <= length - 2 ? s + 1 : 0);
   return edges;
 }
 
-theory::Place place_of(theory::PairType type, const theory::Configuration& c) { return {c.p, theory::grid_point(type, c)}; }
+theory::Place place_of(theory::PairType type, const theory::Configuration& c) {
+  return {c.p, theory::grid_point(type, c)};
+}
 
 }  // namespace
 
 TEST_CASE("the table of configurations is the map of configurations", "[walk]") {
   for (const tests::CensusEntry& entry : tests::census(18, false)) {
-    if (!(entry.configuration == theory::parameter_set(entry.type, entry.sides).front())) continue;  // once for a region
+    if (!(entry.configuration == theory::parameter_set(entry.type, entry.sides).front()))
+      continue;  // once for a region
     const theory::ConfigurationMap map = theory::configuration_map(entry.type, entry.sides, theory::Apex::with);
     const theory::ConfigurationTable table(entry.type, entry.sides);
     INFO(entry.type.name() << " " << entry.sides.transpose());
@@ -97,7 +101,9 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
       // labelling_of() gives v1's labels first unless it has swapped equal vertices to bring p into range.
       const theory::SeparatrixVector predicted =
           theory::separatrix_vector(entry.type, entry.sides, theory::to_labelling(f.labelling));
-      const auto starts = [](const auto& vector, const auto& read) { return std::equal(read.begin(), read.end(), vector.begin()); };
+      const auto starts = [](const auto& vector, const auto& read) {
+        return std::equal(read.begin(), read.end(), vector.begin());
+      };
       const bool as_named = starts(predicted.at_v1, at_v1) && starts(predicted.at_v2, at_v2);
       const bool swapped = entry.type.symmetric() && starts(predicted.at_v1, at_v2) && starts(predicted.at_v2, at_v1);
       REQUIRE((as_named || swapped));
@@ -154,8 +160,8 @@ TEST_CASE("the mover makes the moves that move_pair makes", "[walk]") {
   int made = 0;
   for (const tests::CensusEntry& entry : tests::census(14, true)) {
     const auto v = mesh::irregular_vertices(entry.region.mesh);
-    const auto moves = v.size() == 1 ? mesh::parting_moves(entry.region.mesh, v[0])
-                                     : mesh::pair_moves(entry.region.mesh, v[0], v[1]);
+    const auto moves =
+        v.size() == 1 ? mesh::parting_moves(entry.region.mesh, v[0]) : mesh::pair_moves(entry.region.mesh, v[0], v[1]);
     for (const mesh::PairMove& move : moves) {
       mesh::QuadMesh by_report = entry.region.mesh;
       mesh::QuadMesh by_mover = entry.region.mesh;
@@ -254,8 +260,9 @@ TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[
     theory::PairType type;
     theory::IntegerVector e;
   };
-  for (const Case& c : {Case{theory::kDigon, regular(theory::kDigon, 110)}, Case{theory::kHexagon, regular(theory::kHexagon, 60)},
-                        Case{theory::kQuad, sides({60, 70, 50, 90})}}) {
+  for (const Case& c :
+       {Case{theory::kDigon, regular(theory::kDigon, 110)}, Case{theory::kHexagon, regular(theory::kHexagon, 60)},
+        Case{theory::kQuad, sides({60, 70, 50, 90})}}) {
     INFO(c.type.name());
     std::vector<std::int64_t> counts;
     counts.reserve(1000);

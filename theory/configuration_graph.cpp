@@ -138,7 +138,8 @@ Configuration corner_centre(PairType type, const MapNode& node, std::size_t slot
   static constexpr std::array<GridPoint, 4> kBetween{{{0, 1}, {-1, 0}, {0, -1}, {1, 0}}};
   Configuration centre = node.labellings[slot];
   // At the merged node quadrant p is followed counter-clockwise by p - 1; on their common axis (0,x,p) is (x,0,p-1).
-  const GridPoint shift = node.configuration.merged() ? GridPoint{0, 1} : kBetween[static_cast<std::size_t>(node.steps[slot])];
+  const GridPoint shift =
+      node.configuration.merged() ? GridPoint{0, 1} : kBetween[static_cast<std::size_t>(node.steps[slot])];
   centre.parameters.d1 += shift.m;
   centre.parameters.d2 += shift.n;
   Configuration bare = canonical(type, centre);
@@ -182,7 +183,8 @@ DualGrid dual_grid(const ConfigurationMap& map) {
       if (bounded) {
         const Configuration centre = corner_centre(map.type, map.nodes[i], slot);
         for (const auto& [n, s] : corners) {
-          if (!(corner_centre(map.type, map.nodes[n], s) == centre)) throw std::logic_error("a face of the grid has two centres");
+          if (!(corner_centre(map.type, map.nodes[n], s) == centre))
+            throw std::logic_error("a face of the grid has two centres");
         }
         face = static_cast<int>(dual.faces.size());
         dual.faces.push_back(centre);

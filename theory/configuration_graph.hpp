@@ -40,17 +40,17 @@ struct Dart {
 // A node's moves, counter-clockwise round the node. For a degenerate node the last two belong to its other labelling.
 struct MapNode {
   Configuration configuration;
-  std::vector<Dart> moves;                 // four; as many as there are directions to open it at a merged node
-  std::vector<Configuration> labellings;   // of moves[i]: the labelling that the step applies to
-  std::vector<int> steps;                  // of moves[i]: the step in that labelling
+  std::vector<Dart> moves;                // four; as many as there are directions to open it at a merged node
+  std::vector<Configuration> labellings;  // of moves[i]: the labelling that the step applies to
+  std::vector<int> steps;                 // of moves[i]: the step in that labelling
 };
 
 enum class Apex { without, with };
 
 struct ConfigurationMap {
   PairType type;
-  std::vector<MapNode> nodes;                 // in the order of parameter_set(), the merged ones last
-  std::map<Configuration, int> index;         // of canonical configurations
+  std::vector<MapNode> nodes;          // in the order of parameter_set(), the merged ones last
+  std::map<Configuration, int> index;  // of canonical configurations
 
   // Index of a configuration given by any labelling, -1 if it is not in the map.
   int find(const Configuration& labelling) const;
@@ -70,8 +70,8 @@ ConfigurationGraph configuration_graph(const ConfigurationMap& map);
 // centre, which belongs to the region one step smaller or larger. An edge of the map between two bounded faces, or with
 // the same one on both sides, is an edge of the dual. Precondition: equal valences.
 struct DualGrid {
-  std::vector<Configuration> faces;        // canonical (d1, d2, p); strips are left empty
-  std::vector<std::array<int, 2>> edges;   // indices into faces, sorted
+  std::vector<Configuration> faces;       // canonical (d1, d2, p); strips are left empty
+  std::vector<std::array<int, 2>> edges;  // indices into faces, sorted
 };
 DualGrid dual_grid(const ConfigurationMap& map);
 

@@ -73,7 +73,8 @@ std::string parameters_problem(PairType type, const StripParameters& p) {
   const int k = type.side_count();
   const auto in_range = [](Integer x, Integer low) { return low <= x && x <= kMaxLength; };
   if (!in_range(p.d1, 0) || !in_range(p.d2, 0)) {
-    return "d1, d2 = " + std::to_string(p.d1) + ", " + std::to_string(p.d2) + " are not in 0.." + std::to_string(kMaxLength);
+    return "d1, d2 = " + std::to_string(p.d1) + ", " + std::to_string(p.d2) + " are not in 0.." +
+           std::to_string(kMaxLength);
   }
   if (p.d1 == 0 && p.d2 == 0) return "d1 = d2 = 0 is the merged vertex, not a pair";
   if (p.e.size() != k) {

@@ -54,7 +54,8 @@ Integer exact_count(PairType type, const IntegerVector& sides) {
   if (type == kDigon) return (sides(0) - sides(1)) % 2 == 0 ? tau_digon(sides.minCoeff()) : 0;
   if (type == kHexagon) return hexagon_count(sides);
   if (type == kQuad) return quad_count(sides).k();
-  throw std::invalid_argument("no closed form for a " + type.name() + " pair; parameter_set() lists its configurations");
+  throw std::invalid_argument("no closed form for a " + type.name() +
+                              " pair; parameter_set() lists its configurations");
 }
 
 Integer smallest_regular(PairType type, const IntegerVector& sides) {
@@ -63,7 +64,8 @@ Integer smallest_regular(PairType type, const IntegerVector& sides) {
     // E1 + 2 s2 = L = E2 + 2 s1.
     return (sides(0) - sides(1)) % 2 == 0 ? sides.maxCoeff() : 0;
   }
-  if (type != kHexagon) throw std::invalid_argument("only digons and hexagons are regular in the sense of Theorems 7.2, 7.3");
+  if (type != kHexagon)
+    throw std::invalid_argument("only digons and hexagons are regular in the sense of Theorems 7.2, 7.3");
   // s_{i-1} + s_{i+1} = L - E_i with s >= 0: within each alternating triple a, b, c, L >= a + b - c, and L has the
   // parity of a + b + c, which is the same for both triples since the boundary is even.
   Integer length = sides.maxCoeff();

@@ -87,8 +87,10 @@ std::optional<Labelling> read(const Frame& frame, std::span<const Crossing> at_v
   const std::array<int, 2> last{n1 - 1, k - 1};
   for (const int v : {0, 1}) {
     // The other vertex's first leg comes before this vertex's first crossing, its second leg after the last.
-    const Integer d1 = first_leg[slot(v)]->side < 0 ? 0 : outward(first[slot(v)]).distance - first_leg[slot(v)]->distance;
-    const Integer d2 = second_leg[slot(v)]->side < 0 ? 0 : second_leg[slot(v)]->distance - outward(last[slot(v)]).distance;
+    const Integer d1 =
+        first_leg[slot(v)]->side < 0 ? 0 : outward(first[slot(v)]).distance - first_leg[slot(v)]->distance;
+    const Integer d2 =
+        second_leg[slot(v)]->side < 0 ? 0 : second_leg[slot(v)]->distance - outward(last[slot(v)]).distance;
     if (v == 0) l.d1 = d1, l.d2 = d2;
     if (d1 != l.d1 || d2 != l.d2) return std::nullopt;
   }
@@ -118,7 +120,8 @@ std::optional<Located> locate(PairType type, const IntegerVector& sides, std::sp
       for (int i = 0; i < frame.k && same; ++i) {
         const bool is_first = i == 0 || i == l1 - 2;
         const bool is_last = i == l1 - 3 || i == frame.k - 1;
-        same = frame.length(*l, i) == frame.e(*l, i - 1) + frame.e(*l, i + 1) + (is_first ? l->d1 : 0) + (is_last ? l->d2 : 0);
+        same = frame.length(*l, i) ==
+               frame.e(*l, i - 1) + frame.e(*l, i + 1) + (is_first ? l->d1 : 0) + (is_last ? l->d2 : 0);
       }
       if (!same) continue;
       if (const int half = frame.k / 2; type.symmetric() && l->p > half) {
@@ -140,8 +143,8 @@ int locate_merged(const IntegerVector& sides, std::span<const Crossing> at_v) {
     if (at_v[slot(first)].side != 0) continue;
     const auto at = [&](int i) -> const Crossing& { return at_v[slot((first + i + k) % k)]; };
     for (int i = 0; i < k; ++i) {
-      const bool fits = at(i).side == i && at(i).distance == at(i - 1).length &&
-                        sides(i) == at(i - 1).length + at(i + 1).length;
+      const bool fits =
+          at(i).side == i && at(i).distance == at(i - 1).length && sides(i) == at(i - 1).length + at(i + 1).length;
       if (!fits) return -1;
     }
     return first;

@@ -84,9 +84,11 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
   if (families.count(Family::single_vertex) > 0) {
     for (int valence = 2; valence <= 12; ++valence) {
       const theory::PairType type = valence == 2 ? theory::kDigon : theory::PairType{valence + 1, 3};
-      for (const Integer length : {2, 3, 4, 6, 8}) list.cases.push_back({Family::single_vertex, type, IntegerVector::Constant(valence, length)});
+      for (const Integer length : {2, 3, 4, 6, 8})
+        list.cases.push_back({Family::single_vertex, type, IntegerVector::Constant(valence, length)});
       if (valence == 4 || valence > 9) continue;
-      for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min<Integer>(ranges.other_perimeter.last, 20); ++perimeter) {
+      for (Integer perimeter = ranges.other_perimeter.first;
+           perimeter <= std::min<Integer>(ranges.other_perimeter.last, 20); ++perimeter) {
         if (perimeter < valence) continue;
         for_each_necklace(valence, perimeter, [&](const std::vector<Integer>& sides) {
           list.cases.push_back({Family::single_vertex, type, theory::to_vector(sides)});
@@ -96,13 +98,16 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
   }
   if (families.count(Family::three_vertices) > 0) {
     // Valences, and the largest perimeter: the number of fillings grows with its fourth power and more.
-    const std::vector<std::pair<std::vector<int>, Integer>> kinds{{{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
+    const std::vector<std::pair<std::vector<int>, Integer>> kinds{
+        {{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
     for (const auto& [valences, largest] : kinds) {
       const int k = valences[0] + valences[1] + valences[2] - 8;
-      for (Integer perimeter = ranges.other_perimeter.first; perimeter <= std::min(ranges.other_perimeter.last, largest); ++perimeter) {
+      for (Integer perimeter = ranges.other_perimeter.first;
+           perimeter <= std::min(ranges.other_perimeter.last, largest); ++perimeter) {
         if (perimeter < k || perimeter % 2 != 0) continue;
         for_each_necklace(k, perimeter, [&, valences = valences](const std::vector<Integer>& sides) {
-          list.cases.push_back({Family::three_vertices, theory::PairType{k + 1, 3}, theory::to_vector(sides), valences});
+          list.cases.push_back(
+              {Family::three_vertices, theory::PairType{k + 1, 3}, theory::to_vector(sides), valences});
         });
       }
     }
@@ -111,7 +116,8 @@ CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
 }
 
 bool CampaignResult::passed() const {
-  return std::all_of(claims.begin(), claims.end(), [](const ClaimResult& c) { return !c.violation && c.instances > 0; });
+  return std::all_of(claims.begin(), claims.end(),
+                     [](const ClaimResult& c) { return !c.violation && c.instances > 0; });
 }
 
 void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof) {
@@ -158,8 +164,8 @@ std::string campaign_name(const std::string& version, const std::vector<const Cl
   return name;
 }
 
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
-                            const Running& running) {
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list,
+                            const std::set<Method>& methods, const Running& running) {
   std::vector<CaseResult> results(list.cases.size());
   std::vector<bool> known(list.cases.size(), false);
   // Walks alone can take long for one region: their configurations are what is counted then.
@@ -194,7 +200,8 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   };
   const auto walked = [&](std::int64_t configurations) { progress.advance(configurations); };
   const auto run = [&](std::size_t i) {
-    return run_case(list.cases[i], selected, methods, walks_alone ? enumerate::WalkProgress(walked) : enumerate::WalkProgress());
+    return run_case(list.cases[i], selected, methods,
+                    walks_alone ? enumerate::WalkProgress(walked) : enumerate::WalkProgress());
   };
   if (running.distribute) {
     running.distribute(todo, done);

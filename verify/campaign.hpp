@@ -17,10 +17,11 @@ namespace requad::verify {
 
 // Which regions. Ranges are inclusive; a range whose last is below its first is empty.
 struct Ranges {
-  program::Range digon{3, 24};         // side length of regular digons
-  program::Range hexagon{3, 12};       // side length of regular hexagons
+  program::Range digon{3, 24};    // side length of regular digons
+  program::Range hexagon{3, 12};  // side length of regular hexagons
   program::Range quad_perimeter{8, 24};
-  program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons, and of regions with one irregular vertex
+  program::Range other_perimeter{4,
+                                 24};  // of non-regular digons and hexagons, and of regions with one irregular vertex
 };
 
 // Regions with a single irregular vertex: valences 2..9, other than 4, of these perimeters up to 20, with a configuration
@@ -41,12 +42,12 @@ struct FamilyTotal {
 
 struct ClaimResult {
   const Claim* claim = nullptr;
-  std::int64_t instances = 0;                       // regions judged
-  std::set<Method> methods;                         // those that were used
+  std::int64_t instances = 0;  // regions judged
+  std::set<Method> methods;    // those that were used
   std::map<Family, FamilyTotal> totals;
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
-  double seconds = 0;                               // of judging, summed over threads
-  std::optional<Violation> violation;               // the first in the order of the cases
+  double seconds = 0;                  // of judging, summed over threads
+  std::optional<Violation> violation;  // the first in the order of the cases
   std::optional<RegionCase> violating_region;
   std::optional<theory::Proof> proof;  // for every size, where linear algebra decides the claim
 };
@@ -66,15 +67,15 @@ using Done = std::function<void(std::size_t, CaseResult)>;
 using Distribute = std::function<void(const std::vector<std::size_t>& todo, const Done& done)>;
 
 struct Running {
-  int threads = 0;             // of this process; 0: all cores
+  int threads = 0;  // of this process; 0: all cores
   bool quiet = false;
   Journal* journal = nullptr;  // results that stand there are taken from it, all others are added
   Distribute distribute = {};  // instead of threads of this process
 };
 
 // Runs the claims on the cases. The result depends on neither `running` nor the order in which cases end, but for seconds.
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list, const std::set<Method>& methods,
-                            const Running& running);
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list,
+                            const std::set<Method>& methods, const Running& running);
 
 // What the campaign is, in a line: two runs may share a journal iff these are equal.
 std::string campaign_name(const std::string& version, const std::vector<const Claim*>& selected, const Ranges& ranges,

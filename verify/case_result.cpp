@@ -17,10 +17,12 @@ namespace requad::verify {
 using enumerate::integer_from;
 using nlohmann::ordered_json;
 
-CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected, const std::set<Method>& methods,
-                    const enumerate::WalkProgress& progress) {
+CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected,
+                    const std::set<Method>& methods, const enumerate::WalkProgress& progress) {
   using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   const auto failed = [](const std::exception& error) {
     Judgement j;
     j.violation = Violation{error.what(), "", "", std::nullopt};

@@ -17,8 +17,8 @@ struct CaseResult {
 
 // Studies the region and lets each claim that concerns it judge. An exception is a violation of the claim (of all of
 // them, if it comes from the study), never lost. `progress` is told of configurations that a walk visits.
-CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected, const std::set<Method>& methods,
-                    const enumerate::WalkProgress& progress = {});
+CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected,
+                    const std::set<Method>& methods, const enumerate::WalkProgress& progress = {});
 
 // As JSON, and back. What comes back makes the same report, byte for byte, and the same mesh of a violation.
 nlohmann::ordered_json to_json(const CaseResult& result);

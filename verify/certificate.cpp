@@ -51,7 +51,8 @@ std::string script_text(const mesh::Region& region, const std::vector<mesh::Basi
     std::string line;
     if (op.kind == Kind::collapse) {
       const mesh::HalfEdgeId h = op.h;
-      line = "collapse " + names[m.origin(h)] + " " + names[m.target(h)] + " " + names[m.target(m.next(h))] + " " + names[m.origin(m.previous(h))];
+      line = "collapse " + names[m.origin(h)] + " " + names[m.target(h)] + " " + names[m.target(m.next(h))] + " " +
+             names[m.origin(m.previous(h))];
     } else if (op.kind == Kind::split) {
       line = "split " + names[changed[0]] + " " + names[changed[1]] + " " + names[changed[2]];
     } else {
@@ -77,9 +78,10 @@ std::string certificate_text(const Study& s) {
     const auto& node = s.found.nodes[i];
     const bool holds_pair = s.found.holds_pair(static_cast<int>(i));
     ++(holds_pair ? pairs : merged);
-    meshes += "mesh " + std::to_string(i) + (holds_pair ? " pair " : " merged ") + theory::label(s.region.type, node.reading.configuration) +
-              " vertices " + std::to_string(node.region.mesh.vertex_count()) + " faces " + std::to_string(node.region.mesh.face_count()) + "\n" +
-              mesh_text(node.region);
+    meshes += "mesh " + std::to_string(i) + (holds_pair ? " pair " : " merged ") +
+              theory::label(s.region.type, node.reading.configuration) + " vertices " +
+              std::to_string(node.region.mesh.vertex_count()) + " faces " +
+              std::to_string(node.region.mesh.face_count()) + "\n" + mesh_text(node.region);
   }
   // One direction of each edge; of the two directions of a self-loop, every other one met.
   std::map<int, bool> second_half;
@@ -91,11 +93,13 @@ std::string certificate_text(const Study& s) {
       if (!second) continue;
     }
     ++edge_count;
-    edges += "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " + mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
+    edges += "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " +
+             mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
              script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
   }
-  return "requad certificate 1\npair " + s.region.type.name() + "\nsides " + theory::joined(s.region.sides, " ") + "\nconfigurations " + std::to_string(pairs) + "\nmerged " +
-         std::to_string(merged) + "\nedges " + std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
+  return "requad certificate 1\npair " + s.region.type.name() + "\nsides " + theory::joined(s.region.sides, " ") +
+         "\nconfigurations " + std::to_string(pairs) + "\nmerged " + std::to_string(merged) + "\nedges " +
+         std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
 }
 
 int write_certificates(const std::string& folder, const std::vector<RegionCase>& cases, bool quiet) {

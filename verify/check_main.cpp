@@ -174,7 +174,8 @@ void flip(Faces& faces, int u, int v, int x, int y) {
 void collapse(Faces& faces, int a, int b, int c, int d) {
   const auto edges = directed_edges(faces);
   const auto it = edges.find({a, b});
-  require(it != edges.end() && turned(faces[it->second[0]], it->second[1]) == Face{a, b, c, d}, "collapse: there is no such face");
+  require(it != edges.end() && turned(faces[it->second[0]], it->second[1]) == Face{a, b, c, d},
+          "collapse: there is no such face");
   faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(it->second[0]));
   for (Face& f : faces) std::replace(f.begin(), f.end(), c, a);
 }
@@ -224,7 +225,8 @@ class Lines {
 };
 
 int number(const std::string& word) {
-  require(!word.empty() && word.size() <= 7 && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+  require(!word.empty() && word.size() <= 7 &&
+              std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
               (word == "0" || word[0] != '0'),
           "'" + word + "' is no number");
   return std::stoi(word);
@@ -251,7 +253,8 @@ void check(Lines& lines) {
   const int merged = number(lines.next("merged", 2)[1]);
   const int edge_total = number(lines.next("edges", 2)[1]);
   if (pair != "3-5" && std::set<int>(boundary.sides.begin(), boundary.sides.end()).size() == 1) {
-    require(configurations == (pair == "5-5" ? 3 : 1) * tau(boundary.sides[0]), "the number of configurations is not tau(L)");
+    require(configurations == (pair == "5-5" ? 3 : 1) * tau(boundary.sides[0]),
+            "the number of configurations is not tau(L)");
   }
 
   const int total = configurations + merged;
@@ -276,7 +279,8 @@ void check(Lines& lines) {
     }
     require(!faces.empty(), "a mesh has no face");
     const int count = number(head[5]);
-    require(static_cast<int>(vertices.size()) == count && *vertices.rbegin() == count - 1, "the vertices are not 0, 1, ..., as many as claimed");
+    require(static_cast<int>(vertices.size()) == count && *vertices.rbegin() == count - 1,
+            "the vertices are not 0, 1, ..., as many as claimed");
     vertex_counts.push_back(count);
     const std::vector<int> expected = head[2] == "pair" ? valences : std::vector<int>{side_count};
     require(check_disk(faces, boundary) == expected, "the irregular vertices are not those claimed");
@@ -309,7 +313,8 @@ void check(Lines& lines) {
       }
       check_disk(faces, boundary);
     }
-    require(form(faces, boundary.length()) == form(meshes[static_cast<std::size_t>(to)], boundary.length()), "a script leads to another mesh");
+    require(form(faces, boundary.length()) == form(meshes[static_cast<std::size_t>(to)], boundary.length()),
+            "a script leads to another mesh");
     const int old = group[static_cast<std::size_t>(to)], now = group[static_cast<std::size_t>(from)];
     std::replace(group.begin(), group.end(), old, now);
   }
@@ -371,8 +376,9 @@ int main(int argc, char** argv) {
   }
   int code = kHolds;
   if (first == "--help") {
-    std::cout << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
-                 "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
+    std::cout
+        << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
+           "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
   } else {
     try {
       code = check_folder(first);

@@ -14,8 +14,12 @@ using theory::Integer;
 
 namespace {
 
-const FoundNode& source(const Study& s, const FoundMove& move) { return s.found.nodes[static_cast<std::size_t>(move.from)]; }
-const FoundNode& destination(const Study& s, const FoundMove& move) { return s.found.nodes[static_cast<std::size_t>(move.to)]; }
+const FoundNode& source(const Study& s, const FoundMove& move) {
+  return s.found.nodes[static_cast<std::size_t>(move.from)];
+}
+const FoundNode& destination(const Study& s, const FoundMove& move) {
+  return s.found.nodes[static_cast<std::size_t>(move.to)];
+}
 
 // The labellings of a node, from a full reading of its mesh.
 std::vector<Configuration> labellings(const FoundNode& node) {
@@ -34,12 +38,14 @@ std::string check_four_directions(const Study& s) {
     ++tried[static_cast<std::size_t>(move.from)];
     if (move.to < 0) continue;
     if (!move.before || !move.after) return "a move's frame has no labelling";
-    std::vector<Integer> step{move.from, move.before->p, move.before->d1(), move.before->d2(), move.after->p, move.after->d1(), move.after->d2()};
+    std::vector<Integer> step{move.from,     move.before->p,   move.before->d1(), move.before->d2(),
+                              move.after->p, move.after->d1(), move.after->d2()};
     step.insert(step.end(), move.after->parameters.e.begin(), move.after->parameters.e.end());
     if (!steps.insert(std::move(step)).second) return "two of the four directions are one step";
   }
   for (std::size_t i = 0; i < tried.size(); ++i) {
-    if (s.found.holds_pair(static_cast<int>(i)) && tried[i] != 4) return std::to_string(tried[i]) + " directions at one configuration, not four";
+    if (s.found.holds_pair(static_cast<int>(i)) && tried[i] != 4)
+      return std::to_string(tried[i]) + " directions at one configuration, not four";
   }
   return "";
 }
@@ -48,7 +54,8 @@ template <class Problem>
 Judgement judge_with_directions(const Study& s, Problem&& problem) {
   Judgement j = for_each_move(s, problem);
   if (!j.applies) return j;
-  if (const std::string what = check_four_directions(s); !what.empty() && !j.violation) j.violation = at_region(s, what);
+  if (const std::string what = check_four_directions(s); !what.empty() && !j.violation)
+    j.violation = at_region(s, what);
   return j;
 }
 
@@ -68,10 +75,13 @@ Judgement judge_distance_changed(const Study& s) {
     for (const Configuration& from : labellings(source(s, move))) {
       for (const Configuration& to : labellings(destination(s, move))) {
         // A merged configuration reads the same in every quadrant p.
-        if ((from.p == to.p || from.merged() || to.merged()) && by_one(from.d1(), to.d1()) && by_one(from.d2(), to.d2())) return "";
+        if ((from.p == to.p || from.merged() || to.merged()) && by_one(from.d1(), to.d1()) &&
+            by_one(from.d2(), to.d2()))
+          return "";
       }
     }
-    return "(d1,d2) changes from " + text(source(s, move).reading.configuration) + " to " + text(destination(s, move).reading.configuration);
+    return "(d1,d2) changes from " + text(source(s, move).reading.configuration) + " to " +
+           text(destination(s, move).reading.configuration);
   });
 }
 
@@ -83,10 +93,12 @@ Judgement judge_faces(const Study& s) {
     const FoundNode& from = source(s, move);
     const FoundNode& to = destination(s, move);
     for (const FoundNode* node : {&from, &to}) {
-      if (node->region.mesh.face_count() != system.face_count(node->reading.configuration.parameters)) return "the closed form of the face count is wrong";
+      if (node->region.mesh.face_count() != system.face_count(node->reading.configuration.parameters))
+        return "the closed form of the face count is wrong";
     }
     const Integer change = to.region.mesh.face_count() - from.region.mesh.face_count();
-    if (move.faces_made - move.faces_deleted != change) return "the reported faces are not those by which the mesh grew";
+    if (move.faces_made - move.faces_deleted != change)
+      return "the reported faces are not those by which the mesh grew";
     if (move.faces_made > 0 && move.faces_deleted > 0) return "the move both makes and deletes faces";
     const Integer c = is_quad(s) ? 0 : is_digon(s) ? -1 : 1;
     const Integer a = move.move.frame.a;
@@ -98,7 +110,9 @@ Judgement judge_faces(const Study& s) {
       case mesh::PairStep::open: law = a + b + c; break;
       case mesh::PairStep::close: law = -(a + b - c); break;
     }
-    return change == law ? "" : "the mesh grows by " + std::to_string(change) + " faces, the connecting path says " + std::to_string(law);
+    return change == law ? ""
+                         : "the mesh grows by " + std::to_string(change) + " faces, the connecting path says " +
+                               std::to_string(law);
   });
 }
 
@@ -127,8 +141,8 @@ Judgement judge_locality(const Study& s) {
     for (const mesh::PairMove& candidate : enumerate::moves_of(smallest, enumerate::read(smallest, s.region.type))) {
       mesh::Region work = smallest;
       const mesh::MoveReport report = mesh::move_pair(work.mesh, candidate);
-      if (report.refusal == mesh::Refusal::none && candidate.step == move.move.step && mesh::signature(work) == target &&
-          static_cast<int>(report.operations.size()) == move.operations) {
+      if (report.refusal == mesh::Refusal::none && candidate.step == move.move.step &&
+          mesh::signature(work) == target && static_cast<int>(report.operations.size()) == move.operations) {
         return "";
       }
     }

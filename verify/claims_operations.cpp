@@ -87,7 +87,8 @@ const Region* neighbourhood(const Study& s) {
       }
       reached = std::move(wider);
     }
-    if (std::none_of(reached.begin(), reached.end(), [&](VertexId v) { return region.mesh.is_boundary(v); })) return &region;
+    if (std::none_of(reached.begin(), reached.end(), [&](VertexId v) { return region.mesh.is_boundary(v); }))
+      return &region;
   }
   return nullptr;
 }
@@ -101,7 +102,8 @@ Judgement violated(const Region& region, std::string what, Judgement j) {
 
 // Meshes to try single operations on: the neighbourhood, or the first configuration of a small region.
 const Region* sample(const Study& s) {
-  if (const Region* single = neighbourhood(s)) return single->mesh.face_count() <= kLargestNeighbourhood ? single : nullptr;
+  if (const Region* single = neighbourhood(s))
+    return single->mesh.face_count() <= kLargestNeighbourhood ? single : nullptr;
   if (s.found.nodes.empty() || s.found.nodes[0].region.mesh.face_count() > kLargestNeighbourhood) return nullptr;
   return &s.found.nodes[0].region;
 }
@@ -123,8 +125,9 @@ bool reducible_by_splits(const QuadMesh& m, int now) {
     const int then = excess(performed(m, op).valences);
     if (then < now) better.emplace(then, op);
   }
-  return std::any_of(better.begin(), better.end(),
-                     [&m](const auto& step) { return reducible_by_splits(performed(m, step.second).mesh, step.first); });
+  return std::any_of(better.begin(), better.end(), [&m](const auto& step) {
+    return reducible_by_splits(performed(m, step.second).mesh, step.first);
+  });
 }
 
 }  // namespace
@@ -138,7 +141,8 @@ Judgement judge_single_vertex_operations(const Study& s) {
     const auto changed = mesh::changed_vertices(region->mesh, op);
     if (std::find(changed.begin(), changed.end(), v) == changed.end()) continue;
     ++j.checks;
-    if (performed(region->mesh, op).irregular.size() <= 1) return violated(*region, mesh::to_string(op) + " does not increase the number of irregular vertices", j);
+    if (performed(region->mesh, op).irregular.size() <= 1)
+      return violated(*region, mesh::to_string(op) + " does not increase the number of irregular vertices", j);
   }
   j.applies = j.checks > 0;
   return j;
@@ -193,8 +197,12 @@ Judgement judge_inverses(const Study& s) {
     // A flip keeps the number of faces, a split adds one, a collapse removes one: so flips and splits never make a
     // collapse, flips and collapses never a split.
     const int faces = op.kind == Kind::split ? 1 : op.kind == Kind::collapse ? -1 : 0;
-    if (after.face_count() - m.face_count() != faces) return violated(*region, mesh::to_string(op) + " makes a wrong number of faces", j);
-    const Kind inverse = op.kind == Kind::split ? Kind::collapse : op.kind == Kind::collapse ? Kind::split : op.kind == Kind::flip_cw ? Kind::flip_ccw : Kind::flip_cw;
+    if (after.face_count() - m.face_count() != faces)
+      return violated(*region, mesh::to_string(op) + " makes a wrong number of faces", j);
+    const Kind inverse = op.kind == Kind::split      ? Kind::collapse
+                         : op.kind == Kind::collapse ? Kind::split
+                         : op.kind == Kind::flip_cw  ? Kind::flip_ccw
+                                                     : Kind::flip_cw;
     QuadMesh back = after;
     if (done.inverse.kind != inverse || mesh::apply(back, done.inverse).refusal != Refusal::none || !(back == m)) {
       return violated(*region, mesh::to_string(op) + " has no inverse of the other kind", j);
@@ -204,7 +212,9 @@ Judgement judge_inverses(const Study& s) {
     const std::string target = mesh::signature(after, after.out(root));
     bool found = false;
     for (const BasicOperation& first : operations) {
-      if (found || first.kind != Kind::split || (m.origin(first.h) != m.origin(op.h) && m.origin(first.h) != m.target(op.h))) continue;
+      if (found || first.kind != Kind::split ||
+          (m.origin(first.h) != m.origin(op.h) && m.origin(first.h) != m.target(op.h)))
+        continue;
       QuadMesh halfway = m;
       const HalfEdgeId made = mesh::apply(halfway, first).made;
       for (const VertexId v : halfway.corners(QuadMesh::face(made))) {
@@ -238,8 +248,11 @@ Judgement judge_adjacent_pair(const Study& s) {
     }
     const auto number = [&results](Kind kind) { return results[kind].size(); };
     if (number(Kind::collapse) != 2 || number(Kind::split) != 2 || number(Kind::flip_ccw) != 2) {
-      j.violation = at_node(s, i, std::to_string(number(Kind::collapse)) + " collapses, " + std::to_string(number(Kind::split)) + " splits and " +
-                                      std::to_string(number(Kind::flip_ccw)) + " flips move the adjacent pair, not two of each");
+      j.violation =
+          at_node(s, i,
+                  std::to_string(number(Kind::collapse)) + " collapses, " + std::to_string(number(Kind::split)) +
+                      " splits and " + std::to_string(number(Kind::flip_ccw)) +
+                      " flips move the adjacent pair, not two of each");
     }
   }
   j.applies = j.checks > 0;
@@ -265,15 +278,20 @@ Judgement judge_vertex_steps(const Study& s) {
       for (const VertexId w : r.irregular) {
         if (w != n) rest.push_back(w);
       }
-      if (rest.size() == 2 && r.mesh.valence(rest[0]) + r.mesh.valence(rest[1]) == 8 && r.mesh.adjacent(rest[0], rest[1])) ++ways[n][is_flip(op.kind)];
+      if (rest.size() == 2 && r.mesh.valence(rest[0]) + r.mesh.valence(rest[1]) == 8 &&
+          r.mesh.adjacent(rest[0], rest[1]))
+        ++ways[n][is_flip(op.kind)];
     }
   }
   Judgement j;
   for (const VertexId n : m.neighbours(v)) {
     ++j.checks;
     if (ways[n][true] != 2 || ways[n][false] != 2) {
-      return violated(*region, "towards one neighbour " + std::to_string(ways[n][false]) + (valence == 3 ? " collapses and " : " splits and ") +
-                                   std::to_string(ways[n][true]) + " flips, not two and two", j);
+      return violated(*region,
+                      "towards one neighbour " + std::to_string(ways[n][false]) +
+                          (valence == 3 ? " collapses and " : " splits and ") + std::to_string(ways[n][true]) +
+                          " flips, not two and two",
+                      j);
     }
   }
   return j;
@@ -290,7 +308,8 @@ Judgement judge_quadruple(const Study& s) {
     const mesh::Applied done = mesh::apply(after, op);
     std::multiset<int> valences;
     for (const VertexId v : mesh::irregular_vertices(after)) valences.insert(after.valence(v));
-    if (valences != std::multiset<int>{3, 3, 5, 5}) return violated(*region, mesh::to_string(op) + " does not make 3-3-5-5", j);
+    if (valences != std::multiset<int>{3, 3, 5, 5})
+      return violated(*region, mesh::to_string(op) + " does not make 3-3-5-5", j);
     if (mesh::apply(after, done.inverse).refusal != Refusal::none || !mesh::irregular_vertices(after).empty()) {
       return violated(*region, "the other flip does not remove 3-3-5-5", j);
     }
@@ -314,7 +333,9 @@ Judgement judge_type_changes(const Study& s) {
     });
     return found ? j : violated(*region, "no single operation parts the vertex in two", j);
   }
-  return reducible_by_splits(region->mesh, excess({valence})) ? j : violated(*region, "no splits lead to v3s and v5s alone", j);
+  return reducible_by_splits(region->mesh, excess({valence}))
+             ? j
+             : violated(*region, "no splits lead to v3s and v5s alone", j);
 }
 
 }  // namespace requad::verify

@@ -80,11 +80,14 @@ GraphComparison compare_graphs(const Study& s, theory::Apex apex) {
   const auto predicted_edges = edges_of(predicted, predicted_names);
   result.isomorphic = found_edges == predicted_edges;
   if (!result.isomorphic) {
-    const auto [f, p] = std::mismatch(found_edges.begin(), found_edges.end(), predicted_edges.begin(), predicted_edges.end());
+    const auto [f, p] =
+        std::mismatch(found_edges.begin(), found_edges.end(), predicted_edges.begin(), predicted_edges.end());
     const auto& edge = f != found_edges.end() ? *f : *p;
-    result.difference = "edges between " + theory::label(s.region.type, s.map.nodes[static_cast<std::size_t>(edge.first.first)].configuration) +
-                        " and " + theory::label(s.region.type, s.map.nodes[static_cast<std::size_t>(edge.first.second)].configuration) +
-                        " differ";
+    result.difference =
+        "edges between " +
+        theory::label(s.region.type, s.map.nodes[static_cast<std::size_t>(edge.first.first)].configuration) + " and " +
+        theory::label(s.region.type, s.map.nodes[static_cast<std::size_t>(edge.first.second)].configuration) +
+        " differ";
   }
   return result;
 }
@@ -116,14 +119,17 @@ void judge_moves(const Study& s, Judgement& j) {
   j.row["moves"] = found;
   j.row["edges"] = pair_graph.edges;
   j.row["isomorphic"] = pair_graph.isomorphic && full_graph.isomorphic;
-  verdict.require(predicted == found, at_region(s, "the parameter set has " + std::to_string(predicted) + " configurations, moves find " +
-                                                       std::to_string(found)));
+  verdict.require(predicted == found, at_region(s, "the parameter set has " + std::to_string(predicted) +
+                                                       " configurations, moves find " + std::to_string(found)));
   for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
     const std::string& problem = s.found.nodes[i].reading.problem;
-    verdict.require(s.predicted_of[i] >= 0, at_node(s, i, problem.empty() ? "this configuration is not in the parameter set" : problem));
+    verdict.require(s.predicted_of[i] >= 0,
+                    at_node(s, i, problem.empty() ? "this configuration is not in the parameter set" : problem));
   }
-  verdict.require(pair_graph.isomorphic, at_region(s, "the graph differs from the predicted one: " + pair_graph.difference));
-  verdict.require(full_graph.isomorphic, at_region(s, "the graph with apex differs from the predicted one: " + full_graph.difference));
+  verdict.require(pair_graph.isomorphic,
+                  at_region(s, "the graph differs from the predicted one: " + pair_graph.difference));
+  verdict.require(full_graph.isomorphic,
+                  at_region(s, "the graph with apex differs from the predicted one: " + full_graph.difference));
   if (j.violation) return;
 
   // Move by move: each step is one of the theorem's four, each step that theory allows in this region was realised in it,
@@ -141,7 +147,9 @@ void judge_moves(const Study& s, Judgement& j) {
       const theory::Dart& here = map.nodes[node].moves[slot];
       const theory::Dart& there = s.map.nodes[node].moves[slot];
       verdict.require(here.target == there.target && here.slot == there.slot,
-                      at_node(s, i, here.target < 0 ? "a step that theory allows was refused" : "a step leads elsewhere than theory says"));
+                      at_node(s, i,
+                              here.target < 0 ? "a step that theory allows was refused"
+                                              : "a step leads elsewhere than theory says"));
     }
   }
   for (const FoundMove& move : s.found.moves) {
@@ -159,16 +167,19 @@ void judge_search(const Study& s, Judgement& j) {
   Verdict verdict(j);
   std::vector<std::string> pairs, merged;
   for (const theory::MapNode& node : s.map.nodes) {
-    (node.configuration.merged() ? merged : pairs).push_back(mesh::signature(enumerate::glue_region(s.region.type, node.configuration)));
+    (node.configuration.merged() ? merged : pairs)
+        .push_back(mesh::signature(enumerate::glue_region(s.region.type, node.configuration)));
   }
   std::sort(pairs.begin(), pairs.end());
   std::sort(merged.begin(), merged.end());
   j.row["search"] = s.searched->size();
-  verdict.require(pairs == *s.searched, at_region(s, "search finds " + std::to_string(s.searched->size()) +
-                                                         " fillings, not the " + std::to_string(pairs.size()) + " of the parameter set"));
+  verdict.require(pairs == *s.searched,
+                  at_region(s, "search finds " + std::to_string(s.searched->size()) + " fillings, not the " +
+                                   std::to_string(pairs.size()) + " of the parameter set"));
   if (s.searched_merged) {
-    verdict.require(merged == *s.searched_merged, at_region(s, "search finds " + std::to_string(s.searched_merged->size()) +
-                                                                   " merged fillings, theory " + std::to_string(merged.size())));
+    verdict.require(merged == *s.searched_merged,
+                    at_region(s, "search finds " + std::to_string(s.searched_merged->size()) +
+                                     " merged fillings, theory " + std::to_string(merged.size())));
   }
 }
 
@@ -180,11 +191,13 @@ void judge_walk(const Study& s, Judgement& j) {
   j.row["walk_edges"] = w.edges;
   j.checks += w.identifications;
   verdict.require(w.problem.empty(), {"walk: " + w.problem, w.configuration, "", w.mesh});
-  verdict.require(w.configurations == s.exact_count, at_region(s, "the closed form gives " + std::to_string(s.exact_count) +
-                                                                      ", the walk visits " + std::to_string(w.configurations)));
-  verdict.require(w.complete(), at_region(s, "the walk visits " + std::to_string(w.configurations) + " of " +
-                                                 std::to_string(w.predicted) + " configurations and " + std::to_string(w.edges) +
-                                                 " of " + std::to_string(w.predicted_edges) + " edges"));
+  verdict.require(w.configurations == s.exact_count,
+                  at_region(s, "the closed form gives " + std::to_string(s.exact_count) + ", the walk visits " +
+                                   std::to_string(w.configurations)));
+  verdict.require(w.complete(),
+                  at_region(s, "the walk visits " + std::to_string(w.configurations) + " of " +
+                                   std::to_string(w.predicted) + " configurations and " + std::to_string(w.edges) +
+                                   " of " + std::to_string(w.predicted_edges) + " edges"));
 }
 
 }  // namespace
@@ -199,10 +212,13 @@ Judgement judge_theorem_1(const Study& s) {
   std::vector<std::string> predicted;
   for (const mesh::Region& region : s.single) predicted.push_back(mesh::signature(region));
   std::sort(predicted.begin(), predicted.end());
-  j.row = {{"valence", valence}, {"sides", side_list(s)}, {"predicted", predicted.size()}, {"search", s.searched->size()}};
-  verdict.require(predicted == *s.searched, at_region(s, "search finds " + std::to_string(s.searched->size()) + " configurations, the circulant has " +
+  j.row = {
+      {"valence", valence}, {"sides", side_list(s)}, {"predicted", predicted.size()}, {"search", s.searched->size()}};
+  verdict.require(predicted == *s.searched, at_region(s, "search finds " + std::to_string(s.searched->size()) +
+                                                             " configurations, the circulant has " +
                                                              std::to_string(predicted.size()) + " positive solutions"));
-  verdict.require(valence % 4 == 0 || s.searched->size() <= 1, at_region(s, "more than one configuration though 4 does not divide the valence"));
+  verdict.require(valence % 4 == 0 || s.searched->size() <= 1,
+                  at_region(s, "more than one configuration though 4 does not divide the valence"));
   const bool regular = s.region.sides.minCoeff() == s.region.sides.maxCoeff();
   const auto length = static_cast<std::size_t>(s.region.sides(0));
   if (regular && valence % 4 == 0) {
@@ -216,16 +232,18 @@ Judgement judge_theorem(const Study& s) {
   Verdict verdict(j);
   const int predicted = s.pairs_predicted();
   j.row = {{"sides", side_list(s)}, {"predicted", s.exact_count}, {"parameters", predicted}};
-  verdict.require(s.exact_count == predicted, at_region(s, "the closed form gives " + std::to_string(s.exact_count) + ", the parameter set has " +
-                                                               std::to_string(predicted)));
+  verdict.require(s.exact_count == predicted, at_region(s, "the closed form gives " + std::to_string(s.exact_count) +
+                                                               ", the parameter set has " + std::to_string(predicted)));
   if (is_regular(s)) {
     const theory::Integer expected = tau(s, s.region.sides(0));
     j.row["tau"] = expected;
-    verdict.require(expected == predicted, at_region(s, "tau is " + std::to_string(expected) + ", the parameter set has " + std::to_string(predicted)));
+    verdict.require(expected == predicted, at_region(s, "tau is " + std::to_string(expected) +
+                                                            ", the parameter set has " + std::to_string(predicted)));
   } else if (!is_quad(s)) {
     const theory::Integer bound = tau(s, theory::smallest_regular(s.region.type, s.region.sides));
     j.row["bound"] = bound;
-    verdict.require(predicted <= bound, at_region(s, std::to_string(predicted) + " configurations exceed the bound " + std::to_string(bound)));
+    verdict.require(predicted <= bound, at_region(s, std::to_string(predicted) + " configurations exceed the bound " +
+                                                         std::to_string(bound)));
   } else {
     const theory::QuadCount quad = theory::quad_count(s.region.sides);
     j.row["M"] = quad.m;
@@ -245,16 +263,18 @@ Judgement judge_connected(const Study& s) {
   for (std::size_t i = 0; i < s.map.nodes.size(); ++i) {
     const Configuration& c = s.map.nodes[i].configuration;
     if (c.merged()) continue;
-    verdict.require(reached.count(static_cast<int>(i)) > 0,
-                    {"moves do not reach this configuration from " + theory::label(s.region.type, s.map.nodes[0].configuration),
-                     theory::label(s.region.type, c), "", enumerate::glue_region(s.region.type, c)});
+    verdict.require(
+        reached.count(static_cast<int>(i)) > 0,
+        {"moves do not reach this configuration from " + theory::label(s.region.type, s.map.nodes[0].configuration),
+         theory::label(s.region.type, c), "", enumerate::glue_region(s.region.type, c)});
   }
   if (s.searched) {
     // Whatever search knows, moves reach.
     std::set<std::string> signatures;
     for (const FoundNode& node : s.found.nodes) signatures.insert(node.signature);
     for (const std::string& text : *s.searched) {
-      verdict.require(signatures.count(text) > 0, {"moves do not reach a filling that search finds", "", "", mesh::from_signature(text)});
+      verdict.require(signatures.count(text) > 0,
+                      {"moves do not reach a filling that search finds", "", "", mesh::from_signature(text)});
     }
   }
   return j;
@@ -283,8 +303,10 @@ Judgement judge_realisation(const Study& s) {
     }
   }
   return for_each_node(s, [&](const FoundNode& node) -> std::string {
-    const enumerate::Realisation made = enumerate::realise(s.region.type, s.region.sides, start, node.reading.configuration);
-    if (mesh::signature(made.region) != node.signature) return "the path of moves from " + theory::label(s.region.type, start) + " makes another mesh";
+    const enumerate::Realisation made =
+        enumerate::realise(s.region.type, s.region.sides, start, node.reading.configuration);
+    if (mesh::signature(made.region) != node.signature)
+      return "the path of moves from " + theory::label(s.region.type, start) + " makes another mesh";
     const int shortest = distance[static_cast<std::size_t>(&node - s.found.nodes.data())];
     if (static_cast<int>(made.moves.size()) != shortest) {
       return "the path has " + std::to_string(made.moves.size()) + " moves, a shortest one " + std::to_string(shortest);
@@ -335,8 +357,11 @@ Judgement judge_dual(const Study& s) {
   std::vector<int> sorted = names;
   std::sort(sorted.begin(), sorted.end());
   const bool same = sorted == all && dual_edges == edges_of(theory::configuration_graph(smaller), all);
-  j.row = {{"sides", side_list(s)}, {"faces_of_grid", dual.faces.size()}, {"nodes_of_smaller_grid", smaller.nodes.size()},
-           {"dual_edges", dual.edges.size()}, {"isomorphic", same}};
+  j.row = {{"sides", side_list(s)},
+           {"faces_of_grid", dual.faces.size()},
+           {"nodes_of_smaller_grid", smaller.nodes.size()},
+           {"dual_edges", dual.edges.size()},
+           {"isomorphic", same}};
   verdict.require(same, at_region(s, "the dual is not the grid of side " + std::to_string(length - 1)));
   return j;
 }
@@ -352,7 +377,8 @@ Judgement judge_no_cancelling(const Study& s) {
   if (s.searched) {
     enumerate::SearchLimits limits;
     limits.threads = 1;
-    const auto regular = enumerate::search(enumerate::search_problem({s.region.sides.begin(), s.region.sides.end()}, {}), limits, {});
+    const auto regular =
+        enumerate::search(enumerate::search_problem({s.region.sides.begin(), s.region.sides.end()}, {}), limits, {});
     Verdict(j).require(regular.count == 0, at_region(s, "search finds a filling without irregular vertices"));
     j.applies = true;
   }
@@ -393,17 +419,22 @@ Judgement judge_merging(const Study& s) {
   }
   const std::vector<bool> can_merge = reaching(by_any, merged);
   const std::vector<bool> can_align = reaching(by_slides, aligned);
-  const bool room = std::any_of(s.map.nodes.begin(), s.map.nodes.end(), [](const theory::MapNode& node) { return node.configuration.merged(); });
+  const bool room = std::any_of(s.map.nodes.begin(), s.map.nodes.end(),
+                                [](const theory::MapNode& node) { return node.configuration.merged(); });
   for (std::size_t i = 0; i < n; ++i) {
     const FoundNode& node = s.found.nodes[i];
     if (node.reading.configuration.merged()) continue;
     const int distance = mesh::graph_distance(node.region.mesh, node.reading.irregular[0], node.reading.irregular[1]);
     verdict.require(distance == node.reading.configuration.d1() + node.reading.configuration.d2(),
                     at_node(s, i, "the graph distance " + std::to_string(distance) + " is not d1 + d2"));
-    verdict.require(can_merge[i] == room, at_node(s, i, can_merge[i] ? "merges where there is no room" : "does not merge though there is room"));
+    verdict.require(
+        can_merge[i] == room,
+        at_node(s, i, can_merge[i] ? "merges where there is no room" : "does not merge though there is room"));
     if (is_digon(s) || is_regular(s)) {
       verdict.require(can_merge[i] == (distance % 2 == 0),
-                      at_node(s, i, std::string(can_merge[i] ? "merges" : "does not merge") + " at distance " + std::to_string(distance)));
+                      at_node(s, i,
+                              std::string(can_merge[i] ? "merges" : "does not merge") + " at distance " +
+                                  std::to_string(distance)));
     }
     if (is_regular(s)) verdict.require(can_align[i], at_node(s, i, "can not be aligned by slides"));
   }

@@ -46,7 +46,8 @@ Region ring_of(const Region& region, const mesh::PairFrame& frame, const std::ve
   std::vector<std::array<int, 4>> corners;
   for (const mesh::FaceId f : faces) {
     std::array<int, 4> c{};
-    for (std::size_t k = 0; k < 4; ++k) c[k] = number.emplace(m.corners(f)[k], static_cast<int>(number.size())).first->second;
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = number.emplace(m.corners(f)[k], static_cast<int>(number.size())).first->second;
     corners.push_back(c);
   }
   Region ring{mesh::QuadMesh::from_faces(static_cast<int>(number.size()), corners), {}};
@@ -74,7 +75,8 @@ std::string check_lemma_8(PairType type, const FoundNode& node) {
   if (c.merged()) return "";
   const std::size_t expected = c.degenerate() ? 2 : 1;
   if (node.reading.frames.size() != expected) {
-    return std::to_string(node.reading.frames.size()) + " rectangles lie between the pair, not " + std::to_string(expected);
+    return std::to_string(node.reading.frames.size()) + " rectangles lie between the pair, not " +
+           std::to_string(expected);
   }
   const mesh::PairFrame& frame = node.reading.frames[0].frame;
   const auto faces = mesh::region_between(node.region.mesh, frame);
@@ -82,7 +84,8 @@ std::string check_lemma_8(PairType type, const FoundNode& node) {
     return "R_alpha is not a regular grid of its size";
   }
   const Region ring = ring_of(node.region, frame, *faces);
-  if (const std::string problem = mesh::region_problem(ring); !problem.empty()) return "the 1-ring of R_alpha: " + problem;
+  if (const std::string problem = mesh::region_problem(ring); !problem.empty())
+    return "the 1-ring of R_alpha: " + problem;
   Configuration smallest = c;
   smallest.parameters.e.setOnes();
   const theory::IntegerVector sides = theory::PairSystem(type).side_lengths(smallest.parameters);
@@ -112,7 +115,8 @@ std::string check_growth(PairType type, const FoundNode& node) {
       ++partial.e(label - 1);
       const theory::IntegerVector expected = system.side_lengths(partial);
       const std::vector<int> sides = growth.side_lengths();
-      if (!std::equal(sides.begin(), sides.end(), expected.begin(), expected.end())) return "a strip gave other sides than Law 1";
+      if (!std::equal(sides.begin(), sides.end(), expected.begin(), expected.end()))
+        return "a strip gave other sides than Law 1";
     }
     if (growth.complete()) {
       const Region stage = growth.region(1);
@@ -120,7 +124,8 @@ std::string check_growth(PairType type, const FoundNode& node) {
     }
   }
   if (mesh::signature(enumerate::grow_region(type, c)) != node.signature) return "grown by strips it is another mesh";
-  if (mesh::signature(enumerate::glue_region(type, c)) != node.signature) return "glued from rectangles it is another mesh";
+  if (mesh::signature(enumerate::glue_region(type, c)) != node.signature)
+    return "glued from rectangles it is another mesh";
   return "";
 }
 
@@ -150,15 +155,17 @@ Judgement judge_theorem_11(const Study& s) {
     for (const auto& labelled : node.reading.frames) {
       for (const auto& frame : {labelled.frame, mesh::seen_from_other_end(node.region.mesh, labelled.frame)}) {
         std::vector<std::pair<int, int>> vector;
-        for (const auto& at : enumerate::separatrix_vector(node.region, frame)) vector.emplace_back(at.side, at.distance);
+        for (const auto& at : enumerate::separatrix_vector(node.region, frame))
+          vector.emplace_back(at.side, at.distance);
         if (least.empty() || vector < least) least = std::move(vector);
       }
     }
     ++j.checks;
     const auto [other, is_new] = seen.emplace(std::move(least), i);
     if (!is_new) {
-      j.violation = at_node(s, i, "has the separatrix vector of " +
-                                      theory::label(s.region.type, s.found.nodes[other->second].reading.configuration));
+      j.violation = at_node(s, i,
+                            "has the separatrix vector of " +
+                                theory::label(s.region.type, s.found.nodes[other->second].reading.configuration));
     }
   }
   return j;

@@ -19,7 +19,7 @@ namespace {
 constexpr int kResult = 1;
 constexpr int kCase = 2;
 constexpr std::int64_t kNoMore = -1;
-const std::string kLeaves = "leaves";        // for it has wrong arguments, or can not write here what rank 0 may write there
+const std::string kLeaves = "leaves";  // for it has wrong arguments, or can not write here what rank 0 may write there
 const std::string kExhausted = "exhausted";  // it has no memory for a case
 
 }  // namespace

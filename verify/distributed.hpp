@@ -18,8 +18,8 @@ class Processes {
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
-  bool leads() const;    // rank 0
-  bool alone() const;    // there is no other
+  bool leads() const;  // rank 0
+  bool alone() const;  // there is no other
   // On rank 0: hands out cases. To be called once at most, and dismiss() if it is not.
   void hand_out(const std::vector<std::size_t>& todo, std::size_t claims, const Done& done);
   // On rank 0: lets the others go; they work for hand_out() until then. Nothing the second time.

@@ -22,7 +22,8 @@ std::optional<Erratum> first_instance(theory::PairType type, theory::Apex apex, 
   for (int length = 3; length <= kLongestSide; ++length) {
     const std::string text = shows(length, explored(type, length, apex));
     if (text.empty()) continue;
-    erratum.instance = std::string(type == theory::kDigon ? "digon" : "hexagon") + " of side " + std::to_string(length) + ": " + text;
+    erratum.instance =
+        std::string(type == theory::kDigon ? "digon" : "hexagon") + " of side " + std::to_string(length) + ": " + text;
     return erratum;
   }
   return std::nullopt;
@@ -44,16 +45,21 @@ std::vector<Erratum> find_errata() {
   };
   for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
     const auto quadrants = static_cast<std::size_t>(type.rotation_count());
-    add(first_instance(type, theory::Apex::without,
-                       {type == theory::kDigon ? "Theorem 7.2" : "Theorem 7.3",
-                        type == theory::kDigon ? "The configurations are parametrised by all (m,n) with m, n >= 0 and 0 < m+n <= L-2."
-                                               : "The configurations are parametrised by all (m,n,p) with m, n >= 0, 0 < m+n <= L-2 and p = 1, 2, 3.",
-                        "Only those with m+n of the parity of L, and (x,0) is the same configuration as (0,x), for a hexagon in the next quadrant.", ""},
-                       [&](int length, const enumerate::Exploration& e) -> std::string {
-                         const std::size_t written = quadrants * points_up_to(length - 2);
-                         if (written == e.nodes.size()) return "";
-                         return "the set as written has " + std::to_string(written) + " elements, there are " + std::to_string(e.nodes.size()) + " configurations";
-                       }));
+    add(first_instance(
+        type, theory::Apex::without,
+        {type == theory::kDigon ? "Theorem 7.2" : "Theorem 7.3",
+         type == theory::kDigon
+             ? "The configurations are parametrised by all (m,n) with m, n >= 0 and 0 < m+n <= L-2."
+             : "The configurations are parametrised by all (m,n,p) with m, n >= 0, 0 < m+n <= L-2 and p = 1, 2, 3.",
+         "Only those with m+n of the parity of L, and (x,0) is the same configuration as (0,x), for a hexagon in the "
+         "next quadrant.",
+         ""},
+        [&](int length, const enumerate::Exploration& e) -> std::string {
+          const std::size_t written = quadrants * points_up_to(length - 2);
+          if (written == e.nodes.size()) return "";
+          return "the set as written has " + std::to_string(written) + " elements, there are " +
+                 std::to_string(e.nodes.size()) + " configurations";
+        }));
   }
   add(first_instance(theory::kDigon, theory::Apex::without,
                      {"Proof of Theorem 7.2", "0 < m+n < E1-2", "0 < m+n <= E1-2, as in the theorem itself.", ""},
@@ -64,21 +70,25 @@ std::vector<Erratum> find_errata() {
                        }
                        return "";
                      }));
-  add(first_instance(theory::kDigon, theory::Apex::with,
-                     {"Proof of Theorem 7.2", "Every grid point corresponds to a requadrangulation, and (0,0) is the merged vertex.",
-                      "(0,0) exists for even L only, and neither tau(L) nor the parameter set counts it.", ""},
-                     [](int length, const enumerate::Exploration& e) -> std::string {
-                       std::size_t merged = 0;
-                       for (const auto& node : e.nodes) merged += node.reading.configuration.merged() ? 1 : 0;
-                       return merged == 0 ? "has no merged configuration" : length % 2 == 0 ? "" : "has one though L is odd";
-                     }));
+  add(first_instance(
+      theory::kDigon, theory::Apex::with,
+      {"Proof of Theorem 7.2", "Every grid point corresponds to a requadrangulation, and (0,0) is the merged vertex.",
+       "(0,0) exists for even L only, and neither tau(L) nor the parameter set counts it.", ""},
+      [](int length, const enumerate::Exploration& e) -> std::string {
+        std::size_t merged = 0;
+        for (const auto& node : e.nodes) merged += node.reading.configuration.merged() ? 1 : 0;
+        return merged == 0 ? "has no merged configuration" : length % 2 == 0 ? "" : "has one though L is odd";
+      }));
   add(first_instance(theory::kDigon, theory::Apex::without,
                      {"Lemma 7.9", "A convex region R that contains no irregular vertices has 4 - G(R) sides.",
-                      "The lemma is used, and holds, for regions with irregular vertices inside; without any, G is 0. What must be regular is the boundary.", ""},
+                      "The lemma is used, and holds, for regions with irregular vertices inside; without any, G is 0. "
+                      "What must be regular is the boundary.",
+                      ""},
                      [](int, const enumerate::Exploration& e) -> std::string {
                        const mesh::Region& region = e.nodes.front().region;
-                       return std::to_string(mesh::irregular_vertices(region.mesh).size()) + " irregular vertices inside, G = " +
-                              std::to_string(mesh::total_index(region.mesh)) + ", " + std::to_string(mesh::side_lengths(region).size()) + " sides";
+                       return std::to_string(mesh::irregular_vertices(region.mesh).size()) +
+                              " irregular vertices inside, G = " + std::to_string(mesh::total_index(region.mesh)) +
+                              ", " + std::to_string(mesh::side_lengths(region).size()) + " sides";
                      }));
   return found;
 }

@@ -8,7 +8,9 @@
 
 namespace requad::verify {
 
-inline bool is_regular(const Study& s) { return s.region.family == Family::regular_digon || s.region.family == Family::regular_hexagon; }
+inline bool is_regular(const Study& s) {
+  return s.region.family == Family::regular_digon || s.region.family == Family::regular_hexagon;
+}
 inline bool is_digon(const Study& s) { return s.region.type == theory::kDigon; }
 inline bool is_hexagon(const Study& s) { return s.region.type == theory::kHexagon; }
 inline bool is_quad(const Study& s) { return s.region.type == theory::kQuad; }
@@ -57,25 +59,25 @@ Judgement for_each_move(const Study& s, Problem&& problem) {
 // The checks, by the files that hold them.
 // claims_pairs.cpp
 Judgement judge_theorem_1(const Study& s);
-Judgement judge_theorem(const Study& s);           // T2, T3, T4
-Judgement judge_connected(const Study& s);         // M1
-Judgement judge_realisation(const Study& s);       // R1
-Judgement judge_dual(const Study& s);              // F1
-Judgement judge_no_cancelling(const Study& s);     // N1
-Judgement judge_merging(const Study& s);           // N2
+Judgement judge_theorem(const Study& s);        // T2, T3, T4
+Judgement judge_connected(const Study& s);      // M1
+Judgement judge_realisation(const Study& s);    // R1
+Judgement judge_dual(const Study& s);           // F1
+Judgement judge_no_cancelling(const Study& s);  // N1
+Judgement judge_merging(const Study& s);        // N2
 // claims_moves.cpp
 Judgement judge_distance_kept(const Study& s);     // P1
 Judgement judge_distance_changed(const Study& s);  // P2
 Judgement judge_faces(const Study& s);             // P3
 Judgement judge_locality(const Study& s);          // N4
 // claims_couriers.cpp
-Judgement judge_detour(const Study& s);            // P4
-Judgement judge_three_vertices(const Study& s);    // N3
+Judgement judge_detour(const Study& s);          // P4
+Judgement judge_three_vertices(const Study& s);  // N3
 // claims_regions.cpp
-Judgement judge_gauss_bonnet(const Study& s);      // G1
+Judgement judge_gauss_bonnet(const Study& s);  // G1
 Judgement judge_lemma_8(const Study& s);
 Judgement judge_lemma_9(const Study& s);
-Judgement judge_growth(const Study& s);            // L10
+Judgement judge_growth(const Study& s);  // L10
 Judgement judge_theorem_11(const Study& s);
 // claims_operations.cpp
 Judgement judge_single_vertex_operations(const Study& s);  // B1

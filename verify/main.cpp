@@ -6,8 +6,8 @@
 
 #include <unistd.h>
 
-#include "mesh/options.hpp"
 #include "mesh/obj.hpp"
+#include "mesh/options.hpp"
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"
 #ifdef REQUAD_MPI
@@ -62,12 +62,14 @@ Examples:
   requad-verify --hexagon 3..20 --journal run.journal --json report.json
 )" REQUAD_MPI_HELP;
 
-program::Range lengths(const Options& options, const char* name, program::Range fallback, std::int64_t least, std::int64_t most) {
+program::Range lengths(const Options& options, const char* name, program::Range fallback, std::int64_t least,
+                       std::int64_t most) {
   if (!options.has(name)) return fallback;
   const std::string option = std::string("--") + name;
   const program::Range range = program::parse_range(options.text(name), option);
   if (range.first < least || range.last > most) {
-    throw UsageError(option + ": " + options.text(name) + " is not within " + std::to_string(least) + ".." + std::to_string(most));
+    throw UsageError(option + ": " + options.text(name) + " is not within " + std::to_string(least) + ".." +
+                     std::to_string(most));
   }
   return range;
 }
@@ -77,7 +79,8 @@ std::vector<const verify::Claim*> select(const Options& options, const std::set<
   std::vector<const verify::Claim*> selected;
   if (!options.has("claim")) {
     for (const verify::Claim& claim : verify::claims()) {
-      if (std::any_of(claim.methods.begin(), claim.methods.end(), [&](verify::Method m) { return methods.count(m) > 0; }))
+      if (std::any_of(claim.methods.begin(), claim.methods.end(),
+                      [&](verify::Method m) { return methods.count(m) > 0; }))
         selected.push_back(&claim);
     }
     return selected;
@@ -124,7 +127,8 @@ int check(const std::vector<std::string>& words, const char* self) {
   if (words.size() != 2) throw UsageError("check: expected one folder");
   std::error_code error;
   const std::filesystem::path running = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::string checker = ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
+  const std::string checker =
+      ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
   program::restore_signals();
   execl(checker.c_str(), checker.c_str(), words[1].c_str(), static_cast<char*>(nullptr));
   throw UsageError("check: " + checker + " can not be started");
@@ -157,11 +161,12 @@ struct Processes {
 #endif
 
 int main_body(int argc, char** argv, Processes& processes) {
-  const Options options(argc, argv,
-                        {{"list", "proofs"},
-                         {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "journal"},
-                         {"claim", "method"},
-                         {"html"}});
+  const Options options(
+      argc, argv,
+      {{"list", "proofs"},
+       {"digon", "hexagon", "quad-perimeter", "other-perimeter", "failures", "certificate", "journal"},
+       {"claim", "method"},
+       {"html"}});
   const auto leaves = [&] { return !processes.leads(); };  // what is printed is printed once
   if (leaves() && (options.has("help") || options.has("version") || options.has("list") || options.has("proofs") ||
                    !options.words().empty()))
@@ -180,7 +185,8 @@ int main_body(int argc, char** argv, Processes& processes) {
   if (options.has("proofs")) return print_proofs(selected);
   const std::string failures = options.text("failures", ".");
   std::error_code unknown;
-  if (!std::filesystem::is_directory(failures, unknown)) throw UsageError("--failures: " + failures + " is not a folder");
+  if (!std::filesystem::is_directory(failures, unknown))
+    throw UsageError("--failures: " + failures + " is not a folder");
   verify::Ranges ranges;
   const bool walks_alone = methods == std::set<verify::Method>{verify::Method::walk};
   ranges.digon = lengths(options, "digon", ranges.digon, 3, walks_alone ? 2000 : 100);
@@ -205,7 +211,8 @@ int main_body(int argc, char** argv, Processes& processes) {
   running.quiet = quiet;
   std::optional<verify::Journal> journal;
   if (options.has("journal")) {
-    const std::string name = verify::campaign_name(program::version_and_build(REQUAD_VERSION), selected, ranges, methods);
+    const std::string name =
+        verify::campaign_name(program::version_and_build(REQUAD_VERSION), selected, ranges, methods);
     journal.emplace(options.text("journal"), name, list.cases.size(), selected.size());
     running.journal = &*journal;
   }
@@ -228,7 +235,8 @@ int main_body(int argc, char** argv, Processes& processes) {
     if (!quiet && json_path != "-") std::cout << written << " certificates in " << options.text("certificate") << '\n';
   }
   if (result.passed()) return program::kDone;
-  const bool failed = std::any_of(result.claims.begin(), result.claims.end(), [](const auto& c) { return c.violation.has_value(); });
+  const bool failed =
+      std::any_of(result.claims.begin(), result.claims.end(), [](const auto& c) { return c.violation.has_value(); });
   return failed ? program::kCheckFailed : program::kUndecided;
 }
 

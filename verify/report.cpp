@@ -30,7 +30,9 @@ std::string range_of(Family family, const Ranges& ranges) {
 ordered_json counterexample(const ClaimResult& c) {
   if (!c.violation) return nullptr;
   return {{"region", c.violating_region ? describe(*c.violating_region) : ""},
-          {"configuration", c.violation->configuration}, {"move", c.violation->move}, {"what", c.violation->what}};
+          {"configuration", c.violation->configuration},
+          {"move", c.violation->move},
+          {"what", c.violation->what}};
 }
 
 ordered_json proof_json(const std::optional<theory::Proof>& proof) {
@@ -59,7 +61,8 @@ const char* verdict(const ClaimResult& c) { return c.violation ? "fails" : c.ins
 ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
   ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}, {"errata", ordered_json::array()}};
   for (const Erratum& e : find_errata()) {
-    json["errata"].push_back({{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
+    json["errata"].push_back(
+        {{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
   }
   for (const ClaimResult& c : result.claims) {
     ordered_json table = c.table;
@@ -70,12 +73,19 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
       totals.push_back({{"family", name(family)}, {"regions", total.regions}, {"checks", total.checks}});
     }
     if (table.empty()) table = totals;
-    json["claims"].push_back({{"id", c.claim->id}, {"where", c.claim->where}, {"statement", c.claim->statement},
-                              {"verdict", verdict(c)}, {"instances", c.instances},
-                              {"range", range_text(ranges, c.claim->families)}, {"methods", methods},
-                              {"compares", c.claim->compares}, {"seconds", c.seconds},
-                              {"counterexample", counterexample(c)}, {"proof", proof_json(c.proof)},
-                              {"totals", totals}, {"table", std::move(table)}});
+    json["claims"].push_back({{"id", c.claim->id},
+                              {"where", c.claim->where},
+                              {"statement", c.claim->statement},
+                              {"verdict", verdict(c)},
+                              {"instances", c.instances},
+                              {"range", range_text(ranges, c.claim->families)},
+                              {"methods", methods},
+                              {"compares", c.claim->compares},
+                              {"seconds", c.seconds},
+                              {"counterexample", counterexample(c)},
+                              {"proof", proof_json(c.proof)},
+                              {"totals", totals},
+                              {"table", std::move(table)}});
   }
   return json;
 }
@@ -96,8 +106,8 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
   for (const ClaimResult& c : result.claims) {
     std::int64_t checks = 0;
     for (const auto& [family, total] : c.totals) checks += total.checks;
-    out << std::left << std::setw(7) << c.claim->id << std::setw(10) << verdict(c) << std::right << std::setw(9) << c.instances
-        << std::setw(10) << checks << "  " << c.claim->statement << " [" << c.claim->where << "]\n";
+    out << std::left << std::setw(7) << c.claim->id << std::setw(10) << verdict(c) << std::right << std::setw(9)
+        << c.instances << std::setw(10) << checks << "  " << c.claim->statement << " [" << c.claim->where << "]\n";
   }
   const char* heading =
       "\nproved by exact arithmetic for every size, apart from these instances (--proofs has the steps):\n";
@@ -161,12 +171,14 @@ std::string html_table(const ordered_json& rows) {
   html += "</tr>\n";
   for (std::size_t i = 0; i < std::min(rows.size(), kRowsShown); ++i) {
     html += "<tr>";
-    for (const auto& [key, value] : rows.front().items()) html += "<td>" + (rows[i].contains(key) ? cell(rows[i][key]) : "") + "</td>";
+    for (const auto& [key, value] : rows.front().items())
+      html += "<td>" + (rows[i].contains(key) ? cell(rows[i][key]) : "") + "</td>";
     html += "</tr>\n";
   }
   html += "</table>\n";
   if (rows.size() > kRowsShown) {
-    html += "<p>The first " + std::to_string(kRowsShown) + " of " + std::to_string(rows.size()) + " rows; the JSON report has them all.</p>\n";
+    html += "<p>The first " + std::to_string(kRowsShown) + " of " + std::to_string(rows.size()) +
+            " rows; the JSON report has them all.</p>\n";
   }
   return html;
 }
@@ -216,25 +228,31 @@ boundary with quads in every possible way, without any theorem.</p>
 <nav aria-label="claims">
 )";
   for (const auto& c : report["claims"]) {
-    html += "<a class=\"" + c["verdict"].get<std::string>() + "\" href=\"#" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + "</a>\n";
+    html += "<a class=\"" + c["verdict"].get<std::string>() + "\" href=\"#" + c["id"].get<std::string>() + "\">" +
+            c["id"].get<std::string>() + "</a>\n";
   }
   html += "<a href=\"#errata\">errata</a>\n</nav>\n";
   for (const auto& c : report["claims"]) {
     const std::string verdict_text = c["verdict"];
-    html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() + ": <span class=\"" + verdict_text + "\">" + verdict_text +
-            "</span></h2>\n<p>" + escaped(c["statement"]) + " <em>(" + escaped(c["where"]) + ")</em></p>\n<p>Compared: " + escaped(c["compares"]) +
+    html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() +
+            ": <span class=\"" + verdict_text + "\">" + verdict_text + "</span></h2>\n<p>" + escaped(c["statement"]) +
+            " <em>(" + escaped(c["where"]) + ")</em></p>\n<p>Compared: " + escaped(c["compares"]) +
             ". Found by: " + escaped(cell(c["methods"])) + ". Range: " + escaped(c["range"]) + ".</p>\n";
     if (!c["counterexample"].is_null()) {
-      html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " + escaped(c["counterexample"]["configuration"]) + " " +
-              escaped(c["counterexample"]["move"]) + ": " + escaped(c["counterexample"]["what"]) + "</p>\n";
+      html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " +
+              escaped(c["counterexample"]["configuration"]) + " " + escaped(c["counterexample"]["move"]) + ": " +
+              escaped(c["counterexample"]["what"]) + "</p>\n";
     }
     if (!c["proof"].is_null()) html += html_proof(c["proof"]);
     if (!c["totals"].empty()) html += html_table(c["totals"]);
-    if (!c["table"].empty() && c["table"] != c["totals"]) html += "<details><summary>Region by region</summary>\n" + html_table(c["table"]) + "</details>\n";
+    if (!c["table"].empty() && c["table"] != c["totals"])
+      html += "<details><summary>Region by region</summary>\n" + html_table(c["table"]) + "</details>\n";
     html += "</section>\n";
   }
-  html += "<section>\n<h2 id=\"errata\">Errata</h2>\n<p>Slips in the text that the program found, each with the smallest region that shows it.</p>\n" +
-          html_table(report["errata"]) + "</section>\n";
+  html +=
+      "<section>\n<h2 id=\"errata\">Errata</h2>\n<p>Slips in the text that the program found, each with the smallest "
+      "region that shows it.</p>\n" +
+      html_table(report["errata"]) + "</section>\n";
   return html + "</body>\n</html>\n";
 }
 

@@ -60,11 +60,13 @@ std::map<std::string, mesh::Region> filled(const RegionCase& region, std::vector
   enumerate::SearchLimits limits;
   limits.threads = 1;  // regions are what runs in parallel
   std::map<std::string, mesh::Region> found;
-  enumerate::search(enumerate::search_problem(sides, std::move(irregular)), limits, [&found](const enumerate::Filling& f) {
-    mesh::Region r = enumerate::region_of(f);
-    std::string signature = mesh::signature(r);
-    if (!found.emplace(std::move(signature), std::move(r)).second) throw std::logic_error("the search made one filling twice");
-  });
+  enumerate::search(enumerate::search_problem(sides, std::move(irregular)), limits,
+                    [&found](const enumerate::Filling& f) {
+                      mesh::Region r = enumerate::region_of(f);
+                      std::string signature = mesh::signature(r);
+                      if (!found.emplace(std::move(signature), std::move(r)).second)
+                        throw std::logic_error("the search made one filling twice");
+                    });
   return found;
 }
 
@@ -89,7 +91,8 @@ void study_three(Study& s) {
 
 std::string step_text(const theory::Configuration& from, const theory::Configuration& to) {
   const auto text = [](const theory::Configuration& c) {
-    std::string t = "d1=" + std::to_string(c.d1()) + " d2=" + std::to_string(c.d2()) + " p=" + std::to_string(c.p) + " e=";
+    std::string t =
+        "d1=" + std::to_string(c.d1()) + " d2=" + std::to_string(c.d2()) + " p=" + std::to_string(c.p) + " e=";
     for (const auto e : c.parameters.e) t += std::to_string(e) + ",";
     return t;
   };
@@ -112,7 +115,8 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
       s.single.push_back(enumerate::glue_region(region.type, {{0, 0, std::move(e)}, 1}));
     }
     // A grid has no irregular vertex; the largest neighbourhoods are for operations only.
-    if (search && region.sides.sum() <= 40) s.searched = fillings(region, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
+    if (search && region.sides.sum() <= 40)
+      s.searched = fillings(region, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
     return s;
   }
   s.exact_count = theory::exact_count(region.type, region.sides);
@@ -157,7 +161,9 @@ theory::ConfigurationMap found_map(const Study& s) {
     if (from < 0 || to < 0) throw std::logic_error("a move joins configurations that are not predicted");
     if (!move.before || !move.after) throw std::logic_error("a move's frame has no labelling");
     // Both labellings of a 3-5 segment describe the same four translations: the map has them for one.
-    const auto labelled = [&](const theory::Configuration& c) { return map.type.symmetric() ? c : theory::canonical(map.type, c); };
+    const auto labelled = [&](const theory::Configuration& c) {
+      return map.type.symmetric() ? c : theory::canonical(map.type, c);
+    };
     const theory::Configuration before = labelled(*move.before), after = labelled(*move.after);
     const int slot = slot_of(from, before, after);
     theory::Dart& dart = map.nodes[static_cast<std::size_t>(from)].moves[static_cast<std::size_t>(slot)];

@@ -37,10 +37,10 @@ struct Study {
   RegionCase region;
   // Predicted.
   theory::Integer exact_count = 0;
-  theory::ConfigurationMap map;             // with apex; only if moves or search are asked for
+  theory::ConfigurationMap map;  // with apex; only if moves or search are asked for
   // Found by moves from one start, the first predicted configuration, glued.
   enumerate::Exploration found;
-  std::vector<int> predicted_of;            // per found node: index into map.nodes, -1 if its label is not predicted
+  std::vector<int> predicted_of;  // per found node: index into map.nodes, -1 if its label is not predicted
   // Found by search: signatures of all fillings with the pair, and with the merged vertex alone; nothing if not asked for.
   std::optional<std::vector<std::string>> searched;
   std::optional<std::vector<std::string>> searched_merged;
@@ -52,7 +52,7 @@ struct Study {
   // Predicted configurations of a single vertex, glued.
   std::vector<mesh::Region> single;
 
-  int pairs_predicted() const;              // configurations of the parameter set, which hold the pair
+  int pairs_predicted() const;  // configurations of the parameter set, which hold the pair
   int pairs_found() const;
 };
 

@@ -26,7 +26,8 @@ bool fulfils(const std::string& problem) {
 
 std::vector<std::int64_t> numbers(const Options& options, const char* name) {
   const auto values = program::parse_integers(options.text(name), name);
-  fuzz::require(program::parse_integers(theory::joined(values, ","), name) == values, "what was written reads differently");
+  fuzz::require(program::parse_integers(theory::joined(values, ","), name) == values,
+                "what was written reads differently");
   return values;
 }
 

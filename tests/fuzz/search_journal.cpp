@@ -23,10 +23,12 @@ void fuzz::try_input(std::string_view text) {
     if (accepts([&] { found = count_fillings(problem, limits, true, journal); })) {
       require(found.outcome.complete() || found.outcome.face_limit_cut, "there was time for all");
       // Now that all is found, it says the same.
-      require(accepts([&] { again = count_fillings(problem, limits, true, journal); }), "a journal can not be gone on with");
+      require(accepts([&] { again = count_fillings(problem, limits, true, journal); }),
+              "a journal can not be gone on with");
       require(again.outcome.count == found.outcome.count && again.outcome.by_faces == found.outcome.by_faces &&
                   again.outcome.states == found.outcome.states && again.signatures == found.signatures &&
-                  again.orbits.rotations == found.orbits.rotations && again.orbits.reflections == found.orbits.reflections,
+                  again.orbits.rotations == found.orbits.rotations &&
+                  again.orbits.reflections == found.orbits.reflections,
               "a journal does not say again what was found");
     }
   }
@@ -35,6 +37,8 @@ void fuzz::try_input(std::string_view text) {
   const std::vector<int> octahedrite(8, 3);
   SphereOutcome found, again;
   if (!accepts([&] { found = search_spheres(octahedrite, 10, limits, journal); })) return;
-  require(accepts([&] { again = search_spheres(octahedrite, 10, limits, journal); }), "a journal can not be gone on with");
-  require(again.signatures == found.signatures && again.states == found.states, "a journal does not say again what was found");
+  require(accepts([&] { again = search_spheres(octahedrite, 10, limits, journal); }),
+          "a journal can not be gone on with");
+  require(again.signatures == found.signatures && again.states == found.states,
+          "a journal does not say again what was found");
 }

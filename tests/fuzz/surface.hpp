@@ -29,7 +29,8 @@ inline void check_polygons(const mesh::PolygonMesh& m) {
 
 inline void check_surface(const mesh::Surface& s) {
   require(mesh::validate(s.mesh).empty(), "the mesh is not valid");
-  const mesh::Surface again = mesh::to_quad_mesh(mesh::parse_obj(mesh::obj_text(s.mesh, s.positions), "what was written"));
+  const mesh::Surface again =
+      mesh::to_quad_mesh(mesh::parse_obj(mesh::obj_text(s.mesh, s.positions), "what was written"));
   require(again.mesh == s.mesh && same_bits(again.positions, s.positions), "what was written reads differently");
 }
 
