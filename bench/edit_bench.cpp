@@ -14,10 +14,10 @@
 #include "bench/regions.hpp"
 #include "bench/require.hpp"
 #include "bench/subjects.hpp"
-#include "mesh/atomic_operations.hpp"
-#include "mesh/complementary.hpp"
-#include "mesh/reduce.hpp"
-#include "mesh/separatrix.hpp"
+#include "mesh/irregular/atomic_operations.hpp"
+#include "mesh/irregular/complementary_operations.hpp"
+#include "mesh/irregular/reduce.hpp"
+#include "mesh/topology/separatrix.hpp"
 
 namespace requad::bench {
 namespace {

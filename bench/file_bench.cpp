@@ -2,9 +2,9 @@
 
 #include "bench/file_bench.hpp"
 
-#include "mesh/obj.hpp"
-#include "mesh/polygon_file.hpp"
-#include "mesh/validate.hpp"
+#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/write_obj.hpp"
+#include "mesh/topology/validate.hpp"
 
 namespace requad::bench {
 namespace {

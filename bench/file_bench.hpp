@@ -10,8 +10,8 @@
 
 #include "bench/require.hpp"
 #include "bench/subjects.hpp"
-#include "mesh/obj.hpp"
-#include "mesh/program.hpp"
+#include "mesh/files/write_obj.hpp"
+#include "mesh/program/program.hpp"
 
 namespace requad::bench {
 

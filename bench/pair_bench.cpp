@@ -8,8 +8,8 @@
 
 #include "bench/regions.hpp"
 #include "bench/require.hpp"
-#include "mesh/pair_moves.hpp"
-#include "mesh/separatrix.hpp"
+#include "mesh/irregular/pair_moves.hpp"
+#include "mesh/topology/separatrix.hpp"
 
 namespace requad::bench {
 namespace {

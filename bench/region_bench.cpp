@@ -66,7 +66,7 @@ struct Operations {
   std::int64_t others = 0;
 };
 
-// What a walk makes: every move of the predicted graph, once each way. By mesh/pair_moves.hpp open and close take as
+// What a walk makes: every move of the predicted graph, once each way. By mesh/irregular/pair_moves.hpp open and close take as
 // many splits or collapses as the path is long, on average over its two ends; a slide flips along the diagonal of a
 // rectangle and goes straight for the rest. The rectangle's sides are those of R_alpha before or after: of a 3-3 pair
 // the lesser ones, of a 5-5 pair the greater ones; those of a 3-5 pair do not change.

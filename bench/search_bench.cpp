@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/require.hpp"
-#include "enumerate/search.hpp"
+#include "enumerate/search/search.hpp"
 
 namespace requad::bench {
 namespace {

@@ -17,9 +17,9 @@
 
 #include "bench/kernel.hpp"
 #include "bench/require.hpp"
-#include "mesh/basic_operations.hpp"
-#include "mesh/geometry.hpp"
-#include "mesh/signature.hpp"
+#include "mesh/geometry/measures.hpp"
+#include "mesh/topology/basic_operations.hpp"
+#include "mesh/topology/signature.hpp"
 
 namespace requad::bench {
 

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/require.hpp"
-#include "enumerate/search.hpp"
+#include "enumerate/search/search.hpp"
 #include "verify/campaign.hpp"
 
 namespace requad::bench {

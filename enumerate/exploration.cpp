@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "enumerate/generators.hpp"
-#include "mesh/signature.hpp"
+#include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "enumerate/labels.hpp"
-#include "mesh/pair_moves.hpp"
+#include "mesh/irregular/pair_moves.hpp"
 #include "theory/configuration_graph.hpp"
 
 namespace requad::enumerate {

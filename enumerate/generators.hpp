@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "mesh/region.hpp"
+#include "mesh/topology/region.hpp"
 #include "theory/configurations.hpp"
 
 namespace requad::enumerate {

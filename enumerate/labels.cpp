@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh/separatrix.hpp"
+#include "mesh/topology/separatrix.hpp"
 
 namespace requad::enumerate {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/pair_frame.hpp"
-#include "mesh/region.hpp"
+#include "mesh/irregular/pair_frame.hpp"
+#include "mesh/topology/region.hpp"
 #include "theory/configurations.hpp"
 
 namespace requad::enumerate {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "enumerate/generators.hpp"
-#include "mesh/pair_moves.hpp"
-#include "mesh/separatrix.hpp"
+#include "mesh/irregular/pair_moves.hpp"
+#include "mesh/topology/separatrix.hpp"
 #include "theory/separatrix_vector.hpp"
 
 namespace requad::enumerate {

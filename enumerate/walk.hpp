@@ -21,7 +21,7 @@
 #include <optional>
 #include <string>
 
-#include "mesh/region.hpp"
+#include "mesh/topology/region.hpp"
 #include "theory/configuration_table.hpp"
 
 namespace requad::enumerate {

@@ -12,7 +12,7 @@
 #include <boost/graph/graphml.hpp>
 #include <graphviz/cgraph.h>
 
-#include "figures/mesh_picture.hpp"
+#include "mesh/pictures/mesh_picture.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {

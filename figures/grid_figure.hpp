@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "enumerate/exploration.hpp"
-#include "figures/mesh_picture.hpp"
+#include "mesh/pictures/mesh_picture.hpp"
 
 namespace requad::figures {
+
+using namespace pictures;
 
 struct GridNode {
   std::string name;                     // unique in the figure

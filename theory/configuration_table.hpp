@@ -2,7 +2,7 @@
 // nodes, and moves worked out when they are asked for. For regions with hundreds of thousands of configurations.
 //
 // A configuration is found by its grid point and p (GridPoint; Theorem 7.4's for a 3-5 pair), its moves have the slots of
-// MapNode::moves. tests/theory_tests.cpp compares the two representations, move by move.
+// MapNode::moves. tests/theory/theory_tests.cpp compares the two representations, move by move.
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "enumerate/threads.hpp"
-#include "verify/judging.hpp"
+#include "mesh/threads/threads.hpp"
+#include "verify/claims/judging.hpp"
 
 namespace requad::verify {
 
@@ -206,7 +206,7 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   if (running.distribute) {
     running.distribute(todo, done);
   } else {
-    enumerate::run_on_threads(todo.size(), running.threads, [&](std::size_t i) { done(todo[i], run(todo[i])); });
+    threads::run_on_threads(todo.size(), running.threads, [&](std::size_t i) { done(todo[i], run(todo[i])); });
   }
   progress.finish();
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/program.hpp"
-#include "theory/proofs.hpp"
+#include "mesh/program/program.hpp"
+#include "theory/proofs/proofs.hpp"
 #include "verify/case_result.hpp"
 #include "verify/journal.hpp"
 

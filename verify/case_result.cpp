@@ -8,14 +8,14 @@
 #include <string>
 #include <utility>
 
-#include "enumerate/journal_file.hpp"
-#include "mesh/program.hpp"
-#include "verify/judging.hpp"
+#include "mesh/program/journal_file.hpp"
+#include "mesh/program/program.hpp"
+#include "verify/claims/judging.hpp"
 
 namespace requad::verify {
 
-using enumerate::integer_from;
 using nlohmann::ordered_json;
+using program::integer_from;
 
 CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected,
                     const std::set<Method>& methods, const enumerate::WalkProgress& progress) {

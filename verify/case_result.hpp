@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "verify/claims.hpp"
+#include "verify/claims/claims.hpp"
 
 namespace requad::verify {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <map>
 
-#include "mesh/program.hpp"
+#include "mesh/program/program.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::verify {

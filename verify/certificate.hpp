@@ -24,7 +24,7 @@
 
 #include <string>
 
-#include "verify/study.hpp"
+#include "verify/studies/study.hpp"
 
 namespace requad::verify {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "enumerate/exploration.hpp"
-#include "mesh/separatrix.hpp"
+#include "mesh/topology/separatrix.hpp"
 
 namespace requad::verify {
 

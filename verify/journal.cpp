@@ -3,14 +3,14 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/program.hpp"
+#include "mesh/program/program.hpp"
 
 namespace requad::verify {
 
 Journal::Journal(std::string path, const std::string& run, std::size_t cases, std::size_t claims)
-    : file_(std::move(path), "requad-verify", run, [&](const enumerate::JournalFile::Record& record) {
+    : file_(std::move(path), "requad-verify", run, [&](const program::JournalFile::Record& record) {
         const auto index = static_cast<std::size_t>(
-            enumerate::integer_from(record.at("case"), 0, std::numeric_limits<std::int64_t>::max()));
+            program::integer_from(record.at("case"), 0, std::numeric_limits<std::int64_t>::max()));
         if (index >= cases) throw program::UsageError("there is no case " + std::to_string(index));
         if (!results_.emplace(index, case_result(record.at("result"), claims)).second)
           throw program::UsageError("case " + std::to_string(index) + " stands here twice");

@@ -1,4 +1,4 @@
-// A journal of a campaign: the results of its cases as they come, in a file of records (enumerate/journal_file.hpp). A
+// A journal of a campaign: the results of its cases as they come, in a file of records (mesh/program/journal_file.hpp). A
 // case whose record was torn is run again; one that stands there twice is damage.
 //
 // It belongs to one run: the same version, claims, methods and regions. What changes no result (threads, reports,
@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "enumerate/journal_file.hpp"
+#include "mesh/program/journal_file.hpp"
 #include "verify/case_result.hpp"
 
 namespace requad::verify {
@@ -26,7 +26,7 @@ class Journal {
 
  private:
   std::map<std::size_t, CaseResult> results_;
-  enumerate::JournalFile file_;
+  program::JournalFile file_;
 };
 
 }  // namespace requad::verify

@@ -2,7 +2,7 @@
 // Meshes as lists of faces, and what a move does to one, operation by operation. Nothing here touches the page.
 //
 // A mesh is an array of faces [a, b, c, d], counter-clockwise vertex ids, null where a face id is free; positions are
-// an array of points [x, y] by vertex id. The data are described in figures/explorer.hpp.
+// an array of points [x, y] by vertex id. The data are described in figures/explorer/explorer.hpp.
 
 // The faces after a patch; the argument stays as it is.
 function patched(faces, patch) {

@@ -1,9 +1,9 @@
 // Certificates. The program that checks them shares no code with the project; so it is taken in as a whole.
 #define main requad_verify_check
-#include "verify/check_main.cpp"
+#include "verify/check/main.cpp"
 #undef main
 
-#include "mesh/validate.hpp"
+#include "mesh/topology/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace requad;

@@ -4,8 +4,8 @@
 // No command runs: what they do with arguments that are right is another matter, and takes files and time. What decides
 // whether they are right is here: the options' parser, numbers, lists and ranges, and the conditions on sides, strips
 // and searches.
-#include "enumerate/search.hpp"
-#include "mesh/options.hpp"
+#include "enumerate/search/search.hpp"
+#include "mesh/program/options.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "theory/counts.hpp"
 #include "theory/joined.hpp"

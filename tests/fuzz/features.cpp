@@ -1,5 +1,5 @@
 // Lists of feature edges.
-#include "mesh/feature_detection.hpp"
+#include "mesh/files/feature_edges.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/open_cube.hpp"
 

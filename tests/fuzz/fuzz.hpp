@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/program.hpp"
-#include "mesh/quad_mesh.hpp"
+#include "mesh/program/program.hpp"
+#include "mesh/topology/quad_mesh.hpp"
 
 namespace requad::fuzz {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "mesh/validate.hpp"
+#include "mesh/topology/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/journal_in_memory.hpp"
 

@@ -1,7 +1,7 @@
 // The mesh that scripts and lists of features are tried on: a cube without its top, each side cut into four quads.
 #pragma once
 
-#include "mesh/polygon_file.hpp"
+#include "mesh/files/polygon_mesh.hpp"
 
 namespace requad::fuzz {
 

@@ -2,7 +2,7 @@
 //
 // A script belongs to one mesh by a fingerprint that no fuzzer guesses. So each is tried as if it were made for the
 // open cube, and what it can do there is recorded as a script that must hold.
-#include "mesh/script.hpp"
+#include "mesh/editing/script.hpp"
 
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/open_cube.hpp"

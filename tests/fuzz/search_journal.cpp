@@ -1,7 +1,7 @@
 // Journals of searches: what was found, and what is left as numbers of moves.
 #include <nlohmann/json.hpp>
 
-#include "enumerate/search.hpp"
+#include "enumerate/search/search.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/journal_in_memory.hpp"
 

@@ -1,7 +1,7 @@
 // Signatures.
-#include "mesh/signature.hpp"
+#include "mesh/topology/signature.hpp"
 
-#include "mesh/validate.hpp"
+#include "mesh/topology/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 const requad::fuzz::Memory requad::fuzz::kMemory{32 << 10, 400};

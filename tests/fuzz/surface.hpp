@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "mesh/obj.hpp"
-#include "mesh/polygon_file.hpp"
-#include "mesh/validate.hpp"
+#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/write_obj.hpp"
+#include "mesh/topology/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 namespace requad::fuzz {

@@ -1,0 +1,35 @@
+#include "mesh/editing/affected_region.hpp"
+
+#include <algorithm>
+
+namespace requad::mesh {
+
+Footprint footprint_since(const Editor& editor, Surroundings& around, std::size_t mark, int rings) {
+  const QuadMesh& m = editor.mesh();
+  Footprint result;
+  std::vector<VertexId> ids;
+  for (std::size_t i = mark; i < editor.mark(); ++i) {
+    const Edit& edit = editor.edits()[i];
+    if (!edit.operates) continue;
+    for (const VertexId v : edit.changed) {
+      if (v.valid()) ids.push_back(v);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  for (const VertexId v : ids) (m.is_live(v) ? result.changed : result.removed).push_back(v);
+  const auto always = [](VertexId) { return true; };
+  around.measure(m, result.changed, always, always, [rings](VertexId, int d) { return d >= rings; });
+  result.near = around.met();
+  const auto outer =
+      std::find_if(result.near.begin(), result.near.end(), [&](VertexId v) { return around.distance(v) >= rings; });
+  result.inner = static_cast<std::size_t>(outer - result.near.begin());
+  return result;
+}
+
+void smooth_edit(Editor& editor, std::span<const VertexId> vertices, SmoothingOptions how) {
+  how.fixed = [&editor](VertexId v) { return editor.sectors().is_feature(v); };
+  editor.rearrange(vertices, [&](Positions& positions) { smooth(editor.mesh(), positions, vertices, how); });
+}
+
+}  // namespace requad::mesh

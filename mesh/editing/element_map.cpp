@@ -1,0 +1,69 @@
+#include "mesh/editing/element_map.hpp"
+
+namespace requad::mesh {
+
+namespace {
+
+// What the elements of one kind go back to, by id.
+class Ancestry {
+ public:
+  template <class Id>
+  Ancestry(const std::vector<Id>& live, int capacity)
+      : ancestor_(static_cast<std::size_t>(capacity), -1), is_old_(ancestor_.size(), false) {
+    for (const Id id : live) {
+      ancestor_[id.slot()] = id.index();
+      is_old_[id.slot()] = true;
+    }
+  }
+
+  template <class Id>
+  void remove(Id id) {
+    if (id.valid()) is_old_[id.slot()] = false;
+  }
+  template <class Id>
+  void make(Id id, Id from) {
+    if (!id.valid()) return;
+    if (id.slot() >= ancestor_.size()) {
+      ancestor_.resize(id.slot() + 1, -1);
+      is_old_.resize(id.slot() + 1, false);
+    }
+    ancestor_[id.slot()] = ancestor_[from.slot()];
+  }
+
+  template <class Id>
+  PlaceMap places(int capacity_before, const std::vector<Id>& live) const {
+    PlaceMap map;
+    map.now.assign(static_cast<std::size_t>(capacity_before), -1);
+    for (std::size_t place = 0; place < live.size(); ++place) {
+      const std::size_t id = live[place].slot();
+      if (is_old_[id]) {
+        map.now[id] = static_cast<int>(place);
+      } else {
+        map.made.push_back(static_cast<int>(place));
+        map.made_from.push_back(ancestor_[id]);
+      }
+    }
+    return map;
+  }
+
+ private:
+  std::vector<int> ancestor_;  // an id before; -1 where nothing ever was
+  std::vector<bool> is_old_;   // whether the element was there before
+};
+
+}  // namespace
+
+ElementMap element_map(const QuadMesh& before, const Editor& editor) {
+  Ancestry vertices(before.vertices(), before.vertex_capacity());
+  Ancestry faces(before.faces(), before.face_capacity());
+  for (const Edit& edit : editor.edits()) {
+    vertices.remove(edit.removed_vertex());
+    faces.remove(edit.removed_face());
+    vertices.make(edit.made_vertex(), edit.changed[0]);
+    faces.make(edit.made_face(), QuadMesh::face(edit.operation.h));
+  }
+  return {vertices.places(before.vertex_capacity(), editor.mesh().vertices()),
+          faces.places(before.face_capacity(), editor.mesh().faces())};
+}
+
+}  // namespace requad::mesh

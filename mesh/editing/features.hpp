@@ -1,0 +1,48 @@
+// Sharp features: edges that no operation may break.
+//
+// A feature is a set of edges, named by their end vertices. Vertices keep their ids under every operation that does not
+// remove them, so the set needs no update, and "the feature is kept" means exactly: every edge of the set is an edge of
+// the mesh between the same two vertices. Their positions are the business of whoever moves vertices: see Editor.
+//
+// Law F (features). An operation keeps every feature edge iff
+//   flip      the edge is no feature edge
+//   collapse  the corner that is removed is no end of a feature edge (the other corner of the diagonal may be)
+//   split     no feature edge at v lies strictly inside the sector that the new vertex takes
+//
+// Boundary edges need no listing: no operation breaks one (Law O2 of basic_operations.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include "mesh/topology/basic_operations.hpp"
+
+namespace requad::mesh {
+
+class FeatureSet {
+ public:
+  // Makes the edge between a and b a feature edge. Twice is once. O(1).
+  void insert(VertexId a, VertexId b);
+
+  bool empty() const { return edges_.empty(); }
+  std::size_t size() const { return edges_.size(); }
+  bool is_edge(VertexId a, VertexId b) const { return edges_.count(key(a, b)) != 0; }
+  // The number of feature edges at v. A vertex where it is neither 0 nor 2 is a feature corner.
+  int edges_at(VertexId v) const { return v.slot() < degree_.size() ? degree_[v.slot()] : 0; }
+  bool is_vertex(VertexId v) const { return edges_at(v) > 0; }
+  // All edges, least vertex first, in increasing order. O(n log n).
+  std::vector<std::array<VertexId, 2>> edges() const;
+
+  // Law F: Refusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
+  Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation) const;
+
+ private:
+  static std::uint64_t key(VertexId a, VertexId b);
+
+  std::unordered_set<std::uint64_t> edges_;
+  std::vector<int> degree_;  // by vertex slot
+};
+
+}  // namespace requad::mesh

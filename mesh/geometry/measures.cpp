@@ -1,0 +1,118 @@
+#include "mesh/geometry/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+namespace requad::mesh {
+
+using Eigen::Vector3d;
+
+namespace {
+
+std::array<Vector3d, 4> corner_positions(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto at = [&](int k) { return positions[m.origin(QuadMesh::half_edge(f, k)).slot()]; };
+  return {at(0), at(1), at(2), at(3)};
+}
+
+Vector3d area_vector(const std::array<Vector3d, 4>& c) { return (c[2] - c[0]).cross(c[3] - c[1]) / 2; }
+
+Vector3d unit_or_zero(const Vector3d& v) {
+  const Vector3d unit = v.stableNormalized();
+  return unit.allFinite() ? unit : Vector3d(Vector3d::Zero());
+}
+
+}  // namespace
+
+Vector3d area_vector(const QuadMesh& m, const Positions& positions, FaceId f) {
+  return area_vector(corner_positions(m, positions, f));
+}
+
+double area(const QuadMesh& m, const Positions& positions, FaceId f) { return area_vector(m, positions, f).norm(); }
+
+Vector3d face_normal(const QuadMesh& m, const Positions& positions, FaceId f) {
+  return unit_or_zero(area_vector(m, positions, f));
+}
+
+Vector3d face_centre(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto c = corner_positions(m, positions, f);
+  return (c[0] + c[1] + c[2] + c[3]) / 4;
+}
+
+std::array<Triangle, 2> triangles(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto c = corner_positions(m, positions, f);
+  const Vector3d normal = area_vector(c);
+  const auto halves = [&c](std::size_t k) {
+    return std::array<Triangle, 2>{{{c[k], c[k + 1], c[(k + 2) % 4]}, {c[k], c[(k + 2) % 4], c[(k + 3) % 4]}}};
+  };
+  const auto inside = [&normal](const std::array<Triangle, 2>& two) {
+    return std::all_of(two.begin(), two.end(),
+                       [&](const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).dot(normal) > 0; });
+  };
+  const std::array<Triangle, 2> first = halves(0), second = halves(1);
+  const bool first_inside = inside(first), second_inside = inside(second);
+  if (first_inside != second_inside) return first_inside ? first : second;
+  return (c[2] - c[0]).squaredNorm() <= (c[3] - c[1]).squaredNorm() ? first : second;
+}
+
+double scaled_jacobian(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto c = corner_positions(m, positions, f);
+  const Vector3d normal = unit_or_zero(area_vector(c));
+  if (normal.isZero(0)) return 0;
+  std::array<Vector3d, 4> sides;
+  for (std::size_t k = 0; k < 4; ++k) {
+    sides[k] = unit_or_zero(c[(k + 1) % 4] - c[k]);
+    if (sides[k].isZero(0)) return 0;
+  }
+  double least = 1;
+  for (std::size_t k = 0; k < 4; ++k) least = std::min(least, sides[(k + 3) % 4].cross(sides[k]).dot(normal));
+  return least;
+}
+
+double aspect_ratio(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto c = corner_positions(m, positions, f);
+  double longest = 0, perimeter = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double length = (c[(k + 1) % 4] - c[k]).norm();
+    longest = std::max(longest, length);
+    perimeter += length;
+  }
+  const double shadow = area_vector(c).norm();
+  return shadow > 0 ? longest * perimeter / (4 * shadow) : std::numeric_limits<double>::infinity();
+}
+
+double edge_length(const QuadMesh& m, const Positions& positions, HalfEdgeId h) {
+  return (positions[m.target(h).slot()] - positions[m.origin(h).slot()]).norm();
+}
+
+double dihedral_angle(const QuadMesh& m, const Positions& positions, HalfEdgeId h) {
+  const HalfEdgeId t = m.twin(h);
+  if (!t.valid()) return 0;
+  const Vector3d left = face_normal(m, positions, QuadMesh::face(h));
+  const Vector3d right = face_normal(m, positions, QuadMesh::face(t));
+  if (left.isZero(0) || right.isZero(0)) return 0;
+  const Vector3d turn = left.cross(right);
+  const double angle = std::atan2(turn.norm(), left.dot(right));
+  // Over a ridge the normal turns, from the left face to the right one, about the edge's own direction.
+  return turn.dot(positions[m.target(h).slot()] - positions[m.origin(h).slot()]) >= 0 ? angle : -angle;
+}
+
+double mean_curvature(const QuadMesh& m, const Positions& positions, VertexId v) {
+  double sum = 0;
+  // The last edge of a boundary fan has no half-edge out of v, but is a boundary edge: its angle is 0.
+  m.for_each_out(v, [&](HalfEdgeId h) { sum += edge_length(m, positions, h) * dihedral_angle(m, positions, h) / 4; });
+  return sum;
+}
+
+double bounding_box_diagonal(const QuadMesh& m, const Positions& positions) {
+  Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const VertexId v : m.vertices()) {
+    low = low.cwiseMin(positions[v.slot()]);
+    high = high.cwiseMax(positions[v.slot()]);
+  }
+  return m.vertex_count() == 0 ? 0 : (high - low).norm();
+}
+
+}  // namespace requad::mesh

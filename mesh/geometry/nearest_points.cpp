@@ -1,0 +1,161 @@
+#include "mesh/geometry/nearest_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+namespace requad::mesh {
+
+using Eigen::Vector3d;
+
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+using BoxTree = Eigen::KdBVH<double, 3, std::size_t>;  // of numbers
+
+BoxTree box_tree(const std::vector<Box>& boxes) {
+  std::vector<std::size_t> numbers(boxes.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return {numbers.begin(), numbers.end(), boxes.begin(), boxes.end()};
+}
+
+struct Nearest {
+  std::size_t number = 0;
+  double squared = std::numeric_limits<double>::infinity();  // distance
+};
+
+// The nearest to p of what is below a node, unless `best` is nearer, the nearer box of two first; of equals the least
+// number, whatever the order in which the tree gives them. squared_distance(number) is to p. (Eigen's BVMinimize, with a
+// queue of boxes, takes memory for each query.)
+template <class SquaredDistance>
+void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const SquaredDistance& squared_distance,
+                  Nearest& best) {
+  BoxTree::VolumeIterator box = nullptr, last_box = nullptr;
+  BoxTree::ObjectIterator number = nullptr, last_number = nullptr;
+  tree.getChildren(node, box, last_box, number, last_number);
+  for (; number != last_number; ++number) {
+    const double squared = squared_distance(*number);
+    if (squared < best.squared || (squared == best.squared && *number < best.number)) best = {*number, squared};
+  }
+  std::array<std::pair<double, BoxTree::Index>, 2> below;
+  std::size_t count = 0;
+  for (; box != last_box; ++box) below[count++] = {tree.getVolume(*box).squaredExteriorDistance(p), *box};
+  if (count == 2 && below[1].first < below[0].first) std::swap(below[0], below[1]);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (below[i].first <= best.squared) find_nearest(tree, below[i].second, p, squared_distance, best);
+  }
+}
+
+template <class SquaredDistance>
+Nearest nearest_in(const BoxTree& tree, const Vector3d& p, const SquaredDistance& squared_distance) {
+  Nearest best;
+  find_nearest(tree, tree.getRootIndex(), p, squared_distance, best);
+  return best;
+}
+
+Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
+  const Vector3d ab = b - a;
+  const double length = ab.squaredNorm();
+  return length > 0 ? Vector3d(a + std::clamp((p - a).dot(ab) / length, 0.0, 1.0) * ab) : a;
+}
+
+}  // namespace
+
+Vector3d nearest_on_triangle(const Triangle& t, const Vector3d& p) {
+  constexpr double kFlat = 1e-6;
+  const auto& [a, b, c] = t;
+  const Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  if (d1 <= 0 && d2 <= 0) return a;
+  if (d3 >= 0 && d4 <= d3) return b;
+  if (d6 >= 0 && d5 <= d6) return c;
+  Vector3d best = a;
+  if (va > 0 && vb > 0 && vc > 0) {
+    const double sum = va + vb + vc;  // twice the area, squared
+    best = a + ab * (vb / sum) + ac * (vc / sum);
+    // In a triangle that is nearly flat rounding decides of the three signs, and a side may be nearer.
+    if (sum > kFlat * ab.squaredNorm() * ac.squaredNorm()) return best;
+  }
+  // Outside one side, or outside two at an obtuse corner, or flat: the nearest of the sides.
+  for (const Vector3d& q : {nearest_on_segment(a, b, p), nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)}) {
+    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
+  }
+  return best;
+}
+
+struct SurfaceIndex::Tree {
+  std::vector<Triangle> triangles;
+  std::vector<FaceId> faces;  // two triangles each
+  BoxTree boxes;
+};
+
+SurfaceIndex::SurfaceIndex(const QuadMesh& m, const Positions& positions) {
+  auto tree = std::make_unique<Tree>();
+  tree->faces = m.faces();
+  std::vector<Box> boxes;
+  for (const FaceId f : tree->faces) {
+    for (const Triangle& t : mesh::triangles(m, positions, f)) {
+      boxes.push_back(Box(t[0]).extend(t[1]).extend(t[2]));
+      tree->triangles.push_back(t);
+    }
+  }
+  tree->boxes = box_tree(boxes);
+  tree_ = std::move(tree);
+}
+
+SurfaceIndex::~SurfaceIndex() = default;
+SurfaceIndex::SurfaceIndex(SurfaceIndex&&) noexcept = default;
+SurfaceIndex& SurfaceIndex::operator=(SurfaceIndex&&) noexcept = default;
+
+SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p) const {
+  const auto [number, squared] = nearest_in(tree_->boxes, p, [&](std::size_t triangle) {
+    return (nearest_on_triangle(tree_->triangles[triangle], p) - p).squaredNorm();
+  });
+  return {nearest_on_triangle(tree_->triangles[number], p), std::sqrt(squared), tree_->faces[number / 2]};
+}
+
+struct PointIndex::Tree {
+  std::vector<Vector3d> points;
+  BoxTree boxes;
+};
+
+PointIndex::PointIndex(std::span<const Vector3d> points) {
+  const std::vector<Box> boxes(points.begin(), points.end());
+  tree_ = std::make_unique<const Tree>(Tree{{points.begin(), points.end()}, box_tree(boxes)});
+}
+
+PointIndex::~PointIndex() = default;
+PointIndex::PointIndex(PointIndex&&) noexcept = default;
+PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
+
+Vector3d PointIndex::nearest(const Vector3d& p) const {
+  const auto squared_distance = [&](std::size_t point) { return (tree_->points[point] - p).squaredNorm(); };
+  return tree_->points[nearest_in(tree_->boxes, p, squared_distance).number];
+}
+
+double hausdorff_distance(Sampled a, Sampled b, int density) {
+  const auto one_sided = [density](const Sampled& from, const Sampled& to) {
+    const SurfaceIndex index(to.mesh, to.positions);
+    double farthest = 0;
+    for (const FaceId f : from.mesh.faces()) {
+      for (const Triangle& t : triangles(from.mesh, from.positions, f)) {
+        for (int i = 0; i <= density; ++i) {
+          for (int j = 0; i + j <= density; ++j) {
+            const Vector3d p = (i * t[0] + j * t[1] + (density - i - j) * t[2]) / density;
+            farthest = std::max(farthest, index.nearest(p).distance);
+          }
+        }
+      }
+    }
+    return farthest;
+  };
+  return std::max(one_sided(a, b), one_sided(b, a));
+}
+
+}  // namespace requad::mesh

@@ -1,0 +1,296 @@
+#include "mesh/irregular/complementary_operations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace requad::mesh {
+
+// --- cancelling ------------------------------------------------------------------------------------------------------
+
+namespace {
+
+bool contains(std::span<const VertexId> list, VertexId v) {
+  return std::find(list.begin(), list.end(), v) != list.end();
+}
+
+struct Route {
+  HalfEdgeId first;  // on the first edge, in the patch that the path leaves by; none if there is no path
+  int length = 0;
+};
+
+// A shortest path from one vertex to another over regular, free vertices; its ends may run along a feature. It leaves
+// `from` by a sector whose excess has the sign given, and comes to `to` by one of the other sign.
+Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId to, int sign) {
+  const QuadMesh& m = editor.mesh();
+  const Sectors& sectors = editor.sectors();
+  Route result;
+  std::vector<VertexId> last;  // vertices of the path before `to`
+  std::vector<HalfEdgeId> direct;
+  const auto passable = [&](VertexId v) { return sectors.may_change(v) && !sectors.is_irregular(v); };
+  sectors.for_each_edge(to, -sign, [&](VertexId x, HalfEdgeId at) {
+    if (x == from) direct.push_back(at);
+    if (passable(x)) last.push_back(x);
+  });
+  sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
+    const bool adjacent = x == to && std::any_of(direct.begin(), direct.end(), [&](HalfEdgeId h) {
+                            return h == at || (h == m.twin(at) && !sectors.is_cut(at));
+                          });
+    if (adjacent) result = {at, 1};
+  });
+  if (result.first.valid()) return result;
+  around.measure(
+      m, last, [&](VertexId v) { return v == from || passable(v); },
+      [&](VertexId v) { return v != from && !sectors.is_fixed(v); }, [&](VertexId v, int) { return v == from; });
+  sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
+    const int d = around.distance(x);
+    if (d >= 0 && x != from && (!result.first.valid() || d + 2 < result.length)) result = {at, d + 2};
+  });
+  return result;
+}
+
+// The helpers after one of them took a courier: it has moved, or is regular, or has become two.
+void update_helpers(const Editor& editor, const Transport& journey, std::vector<VertexId>& helpers) {
+  const QuadMesh& m = editor.mesh();
+  std::erase_if(helpers, [&](VertexId v) { return !m.is_live(v) || !editor.sectors().is_irregular(v); });
+  for (const VertexId v : {journey.courier.u(m), journey.courier.v(m)}) {
+    if (editor.sectors().is_irregular(v) && !contains(helpers, v)) helpers.push_back(v);
+  }
+}
+
+// In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.
+struct Manner {
+  bool five_walks;  // first; the v3 otherwise
+  bool may_cross;   // couriers may cross a helper
+};
+constexpr std::array<Manner, 4> kManners{{{false, false}, {true, false}, {false, true}, {true, true}}};
+
+Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, VertexId five,
+                              std::vector<VertexId> helpers, Manner manner) {
+  const QuadMesh& m = editor.mesh();
+  Cancellation result;
+  Surroundings around;
+  int couriers_left = -1;
+  const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
+  for (bool adjacent = false; !adjacent;) {
+    const Route path = route(editor, around, three, five, -1);
+    // Splits on the way may make the path longer, but not for ever.
+    if (couriers_left < 0) couriers_left = 3 * path.length + 8;
+    if (!path.first.valid() || couriers_left-- == 0) return refuse(Refusal::no_way);
+    if (helpers.empty()) return refuse(Refusal::lone_pair);
+    adjacent = path.length == 1;
+    // The v3 takes the path's first edge, or the v5 its last one.
+    Transport journey;
+    journey.refusal = Refusal::no_way;
+    for (const bool five_walks : {manner.five_walks, !manner.five_walks}) {
+      const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
+      if (!edge.valid()) continue;
+      // A courier runs from the v3, or from where the v5 goes.
+      const bool from_origin = (m.origin(edge) == three) || (five_walks && m.origin(edge) != five);
+      const CourierPlace start{edge, !from_origin};
+      if (!five_walks && editor.sectors().excess(start.at_u()) != -1) continue;
+      const VertexId next = five_walks ? start.u(m) : start.v(m);
+      journey = courier.carry(start, helpers, manner.may_cross);
+      result.obstacles |= journey.obstacles;
+      if (journey.refusal != Refusal::none) continue;
+      (five_walks ? five : three) = next;
+      break;
+    }
+    if (journey.refusal != Refusal::none) return refuse(journey.refusal);
+    ++result.couriers;
+    result.steps += journey.steps;
+    update_helpers(editor, journey, helpers);
+  }
+  result.helpers = std::move(helpers);
+  return result;
+}
+
+}  // namespace
+
+Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
+                         const std::vector<VertexId>& helpers) {
+  const Sectors& sectors = editor.sectors();
+  Cancellation result;
+  if (!sectors.lacks(three) || !sectors.exceeds(five)) {
+    const bool same =
+        (sectors.lacks(three) && sectors.lacks(five)) || (sectors.exceeds(three) && sectors.exceeds(five));
+    result.refusal = same ? Refusal::index : Refusal::wrong_valences;
+  } else if (helpers.empty()) {
+    result.refusal = Refusal::lone_pair;
+  } else {
+    const std::size_t start = editor.mark();
+    for (const Manner manner : kManners) {
+      result = cancel_in_manner(editor, courier, three, five, helpers, manner);
+      if (result.refusal == Refusal::none) break;
+      editor.roll_back(start);
+    }
+  }
+  return result;
+}
+
+// --- merging and aligning --------------------------------------------------------------------------------------------
+
+namespace {
+
+struct Delta {
+  int a;
+  int b;
+};
+
+// The step that changes the extents of an equal pair so (the table of pair_moves.hpp).
+PairStep step_for(int valence, Delta delta) {
+  const bool three = valence == 3;
+  if (delta.a == delta.b) return (delta.a < 0) == three ? PairStep::open : PairStep::close;
+  return (delta.a < 0) == three ? PairStep::slide_first : PairStep::slide_second;
+}
+
+// Moves the pair again and again, each time by what `choose` says of its frame, until that is nothing. All or none.
+template <class Choose>
+PairResult move_repeatedly(Editor& editor, PairFrame frame, Choose&& choose) {
+  const int valence = editor.mesh().face_valence(frame.v1);
+  const std::size_t start = editor.mark();
+  PairResult result;
+  while (const std::optional<Delta> delta = choose(frame)) {
+    const MoveReport report = move_pair(editor, {frame, step_for(valence, *delta)});
+    if (report.refusal != Refusal::none) {
+      editor.roll_back(start);
+      return {report.refusal, 0, {}};
+    }
+    ++result.moves;
+    frame = report.inverse.frame;
+  }
+  result.frame = frame;
+  return result;
+}
+
+// The frames of an equal pair, or why there are none.
+std::pair<Refusal, std::vector<PairFrame>> frames_of(const Editor& editor, VertexId v1, VertexId v2) {
+  const QuadMesh& m = editor.mesh();
+  const auto wrong = [&](VertexId v) { return m.is_boundary(v) || (m.face_valence(v) != 3 && m.face_valence(v) != 5); };
+  if (v1 == v2 || wrong(v1) || wrong(v2) || m.face_valence(v1) != m.face_valence(v2))
+    return {Refusal::wrong_valences, {}};
+  std::vector<PairFrame> frames = find_frames(m, v1, v2);
+  const Refusal refusal = frames.empty() ? Refusal::no_rectangle : Refusal::none;
+  return {refusal, std::move(frames)};
+}
+
+}  // namespace
+
+PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2) {
+  const auto [refusal, frames] = frames_of(editor, v1, v2);
+  if (refusal != Refusal::none) return {refusal, 0, {}};
+  PairResult result;
+  for (const PairFrame& frame : frames) {
+    if ((frame.a + frame.b) % 2 != 0) return {Refusal::odd_distance, 0, {}};
+    // A segment bends first, so that it can shrink along both legs.
+    result = move_repeatedly(editor, frame, [](const PairFrame& f) -> std::optional<Delta> {
+      if (f.a == 0 && f.b == 0) return std::nullopt;
+      return Delta{f.a == 0 ? 1 : -1, f.b == 0 ? 1 : -1};
+    });
+    if (result.refusal == Refusal::none) break;
+  }
+  return result;
+}
+
+PairResult align_pair(Editor& editor, VertexId v1, VertexId v2) {
+  const auto [refusal, frames] = frames_of(editor, v1, v2);
+  PairResult result{refusal, 0, {}};
+  for (const PairFrame& frame : frames) {
+    const Delta along = frame.a <= frame.b ? Delta{-1, 1} : Delta{1, -1};
+    for (const Delta delta : {along, Delta{-1, -1}, Delta{-along.a, -along.b}}) {
+      result = move_repeatedly(editor, frame, [delta](const PairFrame& f) {
+        return f.degenerate() ? std::nullopt : std::optional<Delta>(delta);
+      });
+      if (result.refusal == Refusal::none) return result;
+    }
+  }
+  return result;
+}
+
+// --- changes of type -------------------------------------------------------------------------------------------------
+
+namespace {
+
+// How far some excesses are from 0, large ones counting more than their share.
+int irregularity(std::span<const int> excesses) {
+  int sum = 0;
+  for (const int e : excesses) sum += e * e;
+  return sum;
+}
+
+struct Parting {
+  BasicOperation operation;
+  int gain;  // by which the irregularity falls
+};
+
+// All operations that part a free vertex v, as even splits as there are or collapses.
+std::vector<Parting> partings(const QuadMesh& m, const Sectors& sectors, VertexId v) {
+  std::vector<Parting> result;
+  const int l = m.face_valence(v);
+  std::vector<HalfEdgeId> out;
+  m.for_each_out(v, [&](HalfEdgeId h) { out.push_back(h); });
+  if (l == 2) {
+    for (const HalfEdgeId h : out) {
+      const HalfEdgeId keep = QuadMesh::opposite(h);  // the far corner keeps its name: it takes v in
+      const int far = sectors.excess(keep);
+      const int b = sectors.excess(QuadMesh::next(h));
+      const int d = sectors.excess(QuadMesh::previous(h));
+      const std::array<int, 4> before{-2, far, b, d};
+      const std::array<int, 3> after{far, b - 1, d - 1};
+      result.push_back({{BasicOperation::Kind::collapse, keep, {}, 0}, irregularity(before) - irregularity(after)});
+    }
+    return result;
+  }
+  const int half = l / 2;
+  for (int i = 0; i < l; ++i) {
+    const HalfEdgeId first = out[static_cast<std::size_t>(i)];
+    const HalfEdgeId last = m.twin(out[static_cast<std::size_t>((i + half) % l)]);
+    const int a = sectors.excess(QuadMesh::next(first));
+    const int b = sectors.excess(last);
+    const std::array<int, 3> before{l - 4, a, b};
+    const std::array<int, 4> after{half - 3, l - half - 3, a + 1, b + 1};
+    result.push_back({{BasicOperation::Kind::split, first, last, 0}, irregularity(before) - irregularity(after)});
+  }
+  return result;
+}
+
+}  // namespace
+
+Refusal part_vertex(Editor& editor, VertexId v) {
+  const QuadMesh& m = editor.mesh();
+  const Sectors& sectors = editor.sectors();
+  if (sectors.is_fixed(v) || (m.face_valence(v) != 2 && m.face_valence(v) < 6)) return Refusal::wrong_valences;
+  std::vector<Parting> ways = partings(m, sectors, v);
+  std::stable_sort(ways.begin(), ways.end(), [](const Parting& a, const Parting& b) { return a.gain > b.gain; });
+  Refusal refusal = Refusal::irregular_in_the_way;
+  for (const Parting& way : ways) {
+    if (way.gain <= 0) break;
+    refusal = Refusal::none;
+    for (const VertexId x : changed_vertices(m, way.operation)) {
+      if (!x.valid() || sectors.may_change(x)) continue;
+      refusal = m.is_boundary(x) ? Refusal::touches_boundary : Refusal::breaks_feature;
+    }
+    if (refusal == Refusal::none) refusal = editor.run(way.operation).refusal;
+    if (refusal == Refusal::none) break;
+  }
+  return refusal;
+}
+
+int part_all(Editor& editor) {
+  const QuadMesh& m = editor.mesh();
+  int made = 0;
+  for (bool again = true; again;) {
+    again = false;
+    for (const VertexId v : m.vertices()) {
+      if (!m.is_live(v) || editor.is_fixed(v)) continue;
+      const int l = m.face_valence(v);
+      if (l >= 3 && l <= 5) continue;
+      if (part_vertex(editor, v) == Refusal::none) ++made, again = true;
+    }
+  }
+  return made;
+}
+
+}  // namespace requad::mesh

@@ -1,0 +1,148 @@
+#include "mesh/irregular/pair_frame.hpp"
+
+#include <deque>
+#include <unordered_map>
+
+#include "mesh/topology/separatrix.hpp"
+
+namespace requad::mesh {
+
+namespace {
+
+// Counter-clockwise and clockwise neighbours of a half-edge at an interior vertex.
+HalfEdgeId left_of(const QuadMesh& m, HalfEdgeId arriving) { return m.next(arriving); }
+HalfEdgeId right_of(const QuadMesh& m, HalfEdgeId arriving) {
+  const HalfEdgeId back = m.twin(arriving);
+  return back.valid() ? m.ccw(back) : back;
+}
+
+bool regular(const QuadMesh& m, VertexId v) { return !m.is_boundary(v) && m.face_valence(v) == 4; }
+
+}  // namespace
+
+std::optional<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, int steps) {
+  for (int i = 1; i < steps; ++i) {
+    if (!is_regular_at(m, QuadMesh::next(h))) return std::nullopt;
+    h = m.straight(h);
+  }
+  return h;
+}
+
+std::optional<PairFrame> frame_at(const QuadMesh& m, HalfEdgeId first_leg, int a, int b) {
+  const HalfEdgeId second_leg = m.ccw(first_leg);
+  if (!second_leg.valid()) return std::nullopt;
+  PairFrame frame{first_leg, second_leg, m.origin(first_leg), VertexId(), a, b};
+  if (a == 0 || b == 0) {
+    const auto end = walk(m, a == 0 ? second_leg : first_leg, a + b);
+    if (!end) return std::nullopt;
+    frame.v2 = m.target(*end);
+    return frame;
+  }
+  // Both ways round the rectangle must end at the same vertex, turning at regular corners.
+  const auto to_x = walk(m, first_leg, a);
+  const auto to_y = walk(m, second_leg, b);
+  if (!to_x || !to_y || !regular(m, m.target(*to_x)) || !regular(m, m.target(*to_y))) return std::nullopt;
+  const auto from_x = walk(m, left_of(m, *to_x), b);
+  const auto from_y = walk(m, right_of(m, *to_y), a);
+  if (!from_x || !from_y || m.target(*from_x) != m.target(*from_y)) return std::nullopt;
+  frame.v2 = m.target(*from_x);
+  return frame;
+}
+
+std::vector<PairFrame> find_frames(const QuadMesh& m, VertexId v1, VertexId v2) {
+  // Half-edges that point to v2 along its separatrices, with their distance from it.
+  std::unordered_map<HalfEdgeId, int> towards_v2;
+  m.for_each_out(v2, [&](HalfEdgeId h) {
+    int distance = 0;
+    for (const HalfEdgeId g : trace(m, h).path) {
+      ++distance;
+      if (m.twin(g).valid()) towards_v2.emplace(m.twin(g), distance);
+    }
+  });
+  std::vector<PairFrame> frames;
+  const auto add = [&](HalfEdgeId first_leg, int a, int b) {
+    const auto frame = frame_at(m, first_leg, a, b);
+    if (frame && frame->v2 == v2) frames.push_back(*frame);
+  };
+  m.for_each_out(v1, [&](HalfEdgeId leg) {
+    const Separatrix s = trace(m, leg);
+    for (int i = 0; i < s.length(); ++i) {
+      const HalfEdgeId arriving = s.path[static_cast<std::size_t>(i)];
+      if (m.target(arriving) == v2) {
+        add(leg, i + 1, 0);
+        add(m.cw(leg), 0, i + 1);
+        break;
+      }
+      const auto turn = towards_v2.find(left_of(m, arriving));
+      if (turn != towards_v2.end() && regular(m, m.target(arriving))) add(leg, i + 1, turn->second);
+    }
+  });
+  return frames;
+}
+
+PairFrame seen_from_other_end(const QuadMesh& m, const PairFrame& f) {
+  PairFrame other{HalfEdgeId(), HalfEdgeId(), f.v2, f.v1, f.a, f.b};
+  if (f.b == 0) {
+    other.first_leg = m.twin(*walk(m, f.first_leg, f.a));
+  } else {
+    // Arriving at v2 along its second leg.
+    HalfEdgeId start = f.second_leg;
+    if (f.a > 0) start = left_of(m, *walk(m, f.first_leg, f.a));
+    other.first_leg = m.cw(m.twin(*walk(m, start, f.b)));
+  }
+  other.second_leg = m.ccw(other.first_leg);
+  return other;
+}
+
+std::vector<HalfEdgeId> outward(const QuadMesh& m, const PairFrame& f) {
+  std::vector<HalfEdgeId> result;
+  for (HalfEdgeId h = m.ccw(f.second_leg); h != f.first_leg; h = m.ccw(h)) result.push_back(h);
+  return result;
+}
+
+std::optional<std::vector<FaceId>> region_between(const QuadMesh& m, const PairFrame& f) {
+  std::vector<FaceId> faces;
+  const auto clean = [&](VertexId v) { return v == f.v1 || v == f.v2 || regular(m, v); };
+  if (f.degenerate()) {
+    HalfEdgeId h = f.a == 0 ? f.second_leg : f.first_leg;
+    for (int i = 0; i < f.a + f.b; ++i) {
+      if (i > 0) h = m.straight(h);
+      if (!clean(m.target(h)) || (m.target(h) == f.v2) != (i + 1 == f.a + f.b)) return std::nullopt;
+    }
+    return faces;
+  }
+  HalfEdgeId row = f.first_leg;  // the bottom edge of the row's first face
+  for (int j = 0; j < f.b; ++j) {
+    HalfEdgeId h = row;
+    for (int i = 0; i < f.a; ++i) {
+      for (const VertexId v : m.corners(m.face(h))) {
+        if (!clean(v)) return std::nullopt;
+      }
+      faces.push_back(m.face(h));
+      // The next face of the row shares next(h); its bottom edge continues h.
+      if (i + 1 < f.a) h = m.next(m.twin(m.next(h)));
+    }
+    if (j + 1 == f.b && m.target(m.next(h)) != f.v2) return std::nullopt;
+    if (j + 1 < f.b) row = m.twin(m.opposite(row));
+  }
+  return faces;
+}
+
+int graph_distance(const QuadMesh& m, VertexId from, VertexId to) {
+  std::vector<int> distance(static_cast<std::size_t>(m.vertex_capacity()), -1);
+  std::deque<VertexId> queue{from};
+  distance[from.slot()] = 0;
+  while (!queue.empty()) {
+    const VertexId v = queue.front();
+    queue.pop_front();
+    if (v == to) return distance[v.slot()];
+    for (const VertexId w : m.neighbours(v)) {
+      if (distance[w.slot()] >= 0) continue;
+      distance[w.slot()] = distance[v.slot()] + 1;
+      queue.push_back(w);
+    }
+  }
+  return -1;
+}
+
+}  // namespace requad::mesh

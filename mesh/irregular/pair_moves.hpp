@@ -1,0 +1,96 @@
+// The three pair-wise movement operations of section 6 (3-3, 5-5, 3-5), as one mechanism.
+//
+// How a move works. A move starts at one vertex p of the pair and ends at the other, q. Its first basic operation moves p
+// by one edge and leaves behind an adjacent 3-5 pair, the courier. Each further operation carries the courier on by one
+// face or edge; the last one lets it collide with q, which moves by one edge. Seen along the courier's direction v3 -> v5,
+// there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is the same
+// operation with p in the role of the courier's v3 (or v5), the last the same with q in the role of the vertex to change.
+//
+// The four steps. Two slides carry the courier along R_alpha with one hand: forward by splits, sideways by collapses, and
+// diagonally by flips, which save a split and a collapse each. Two more, open and close, use splits only or collapses
+// only, with both hands, along any monotone path of R_alpha's boundary from p to q.
+//
+//   step          changes (a, b) of a 3-3 pair   of a 5-5 pair   moves a 3-5 pair (frame.v1 is the v5) towards
+//   slide_first          (-1,+1)                    (+1,-1)       the side of v1's first outward separatrix
+//   slide_second         (+1,-1)                    (-1,+1)       the side of v1's last outward separatrix
+//   open                 (-1,-1)                    (+1,+1)       the side of v1's middle outward separatrix
+//   close                (+1,+1)                    (-1,-1)       the side of v2's outward separatrix
+//
+// Law P3 (faces). With c = -1, +1, 0 for 3-3, 5-5, 3-5 the mesh gains a - b + c faces by slide_first, b - a + c by
+// slide_second, a + b + c by open, and loses a + b - c by close: the length of the connecting path.
+//
+// Law P5 (locality). A move changes no valence outside the smallest convex region that holds the pair before and after,
+// and never one on the boundary of the mesh, not even on its way.
+//
+// Costs: max(a, b) + O(1) basic operations for a slide, a + b + O(1) for open and close, whatever the mesh; the report's
+// frame takes walks of a + b edges, and no operation.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/irregular/pair_frame.hpp"
+#include "mesh/irregular/transport.hpp"
+
+namespace requad::mesh {
+
+enum class PairStep { slide_first, slide_second, open, close };
+inline constexpr std::array<PairStep, 4> kPairSteps{PairStep::slide_first, PairStep::slide_second, PairStep::open,
+                                                    PairStep::close};
+PairStep inverse(PairStep step);
+const char* name(PairStep step);  // "slide_first", ...
+
+// A step seen from a frame. For a 3-5 pair frame.v1 is the v5. A merged pair (a = b = 0, v1 = v2) of valence 6 opens along
+// first_leg and the edge opposite it; one of valence 2 closes (its only step, too) the face on first_leg's left.
+struct PairMove {
+  PairFrame frame;
+  PairStep step = PairStep::slide_first;
+};
+
+// The moves the pair could make if the mesh had room, four of them; empty if v1, v2 are no 3-3, 5-5 or 3-5 pair that
+// spans a rectangle. A step of a segment that only its other frame has is listed with that frame. See find_frames().
+std::vector<PairMove> pair_moves(const QuadMesh& mesh, VertexId v1, VertexId v2);
+// The moves that part a merged pair: one for a v2, three for a v6, none for any other valence.
+std::vector<PairMove> parting_moves(const QuadMesh& mesh, VertexId merged);
+
+struct MoveReport {
+  Refusal refusal = Refusal::none;
+  std::vector<BasicOperation> operations;  // in the order they were applied
+  std::vector<BasicOperation> undo;        // to be applied in this order to restore every array of the mesh
+  std::vector<FaceId> faces_made;          // one for each split; an id may be made and deleted again
+  std::vector<FaceId> faces_deleted;       // one for each collapse
+  PairMove inverse;                        // inverse.frame is the pair's frame after the move
+};
+
+// Makes the move, by checked basic operations only. If one is refused, all are undone: the mesh is as before, arrays and
+// free lists included, and the report holds the reason and nothing else.
+MoveReport move_pair(Editor& editor, const PairMove& move);
+MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
+// The reason move_pair() would give: makes the move and takes it back, which leaves an equal mesh. O(a + b).
+Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move);
+
+// Makes one move after another on one mesh, for long walks: the same operations as move_pair(), each of them checked,
+// without a report and without a look at where the grid of the pair lies then. Allocates nothing once it has made its
+// longest move, if the mesh has room (QuadMesh::reserve).
+class PairMover {
+ public:
+  // The mesh must outlive it.
+  explicit PairMover(QuadMesh& mesh) : mesh_(mesh) {}
+
+  struct Moved {
+    Refusal refusal = Refusal::none;  // the mesh is then as before
+    VertexId v1;                      // the pair, in the order that frames have; one vertex twice if it merged
+    VertexId v2;
+    int operations = 0;
+  };
+  Moved move(const PairMove& move);
+
+ private:
+  QuadMesh& mesh_;
+  std::vector<Applied> log_;  // of the last move
+};
+
+// Applies a list of operations, all or none; the reason of the first that was refused.
+Refusal apply_all(QuadMesh& mesh, const std::vector<BasicOperation>& operations);
+
+}  // namespace requad::mesh

@@ -1,0 +1,64 @@
+// Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
+//
+// Again and again the cheapest cancellation of a v3 and a v5 (complementary.hpp) is made, and the neighbourhood
+// smoothed. A candidate is a pair of near vertices of opposite index with the nearest irregular vertices as helpers.
+// Its cost is measured by making it, smoothing included, and taking it back. Costs are kept in a priority queue; after
+// each cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may
+// have changed is measured again when its turn comes.
+//
+// Law R1. The mesh is valid, and every cut edge (sectors.hpp) is there with its place, after every cancellation.
+// Law R2. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the end comes, at the least
+//         when the excesses of each patch have one sign, where discrete Gauss-Bonnet leaves nothing to cancel: without
+//         features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
+// Law R3. The result depends on the mesh and the options alone.
+//
+// Costs: for each candidate the length of the couriers' journeys and the area smoothed; no term in the size of the mesh
+// but for the start.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesh/geometry/nearest_points.hpp"
+#include "mesh/geometry/smoothing.hpp"
+#include "mesh/irregular/complementary_operations.hpp"
+
+namespace requad::mesh {
+
+// What a candidate costs. Both are sums over what the cancellation changed, after minus before.
+enum class ReduceCost {
+  curvature,  // |discrete mean curvature| of the vertices: the paper's
+  shape       // (1 - scaled Jacobian) * area of the faces
+};
+
+struct ReduceOptions {
+  int until = 0;  // stop at so many irregular vertices
+  ReduceCost cost = ReduceCost::shape;
+  // Of a changed face's centre from the surface, in its units; < 0: none. Needs a surface.
+  double max_deviation = -1;
+  const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
+  int smoothing_iterations = 4;                 // after each cancellation, over what changed and two rings more
+  int final_iterations = 30;                    // over the whole mesh, in the end; then, unless 0 or
+                                                // max_deviation is given, untangling
+  std::function<void(int irregular)> progress;  // told after each cancellation
+};
+
+struct ReduceReport {
+  int before = 0;  // irregular vertices (Sectors::is_irregular)
+  int after = 0;
+  int parted = 0;     // operations that parted vertices of valence 2 or more than 5
+  int cancelled = 0;  // cancellations
+  int couriers = 0;
+  int operations = 0;
+  int measured = 0;                 // cancellations made to measure their cost
+  bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)
+  std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
+  int too_far = 0;                  // of these, cancellations that max_deviation refused
+};
+
+// Precondition: the editor has positions. Throws std::invalid_argument for a max_deviation without a surface.
+ReduceReport reduce(Editor& editor, const ReduceOptions& options);
+
+}  // namespace requad::mesh

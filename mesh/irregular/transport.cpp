@@ -1,0 +1,221 @@
+#include "mesh/irregular/transport.hpp"
+
+#include <algorithm>
+
+#include "mesh/irregular/transport_step.hpp"
+
+namespace requad::mesh {
+
+const char* name(CourierStep::Way way) {
+  switch (way) {
+    case CourierStep::Way::collapse: return "collapse";
+    case CourierStep::Way::flip: return "flip";
+    case CourierStep::Way::split: return "split";
+  }
+  return "";
+}
+
+PlannedStep plan(const QuadMesh& m, CourierPlace courier, CourierStep step, int turn) {
+  return planned_step(m, courier, step, turn);
+}
+
+PlannedStep renamed(const QuadMesh& m, const PlannedStep& step) {
+  PlannedStep result = step;
+  BasicOperation& op = result.operation;
+  if (op.kind == BasicOperation::Kind::collapse) {
+    op.h = QuadMesh::opposite(op.h);
+  } else if (op.kind == BasicOperation::Kind::split) {
+    op.h = m.twin(step.operation.last);
+    op.last = m.twin(step.operation.h);
+  }
+  return result;
+}
+
+Obstacles& Obstacles::operator|=(const Obstacles& o) {
+  features |= o.features, boundary |= o.boundary, irregular |= o.irregular, limit |= o.limit;
+  return *this;
+}
+
+std::string to_string(const Obstacles& obstacles) {
+  std::string text;
+  const auto add = [&text](bool met, const char* what) {
+    if (met) text += (text.empty() ? "" : ", ") + std::string(what);
+  };
+  add(obstacles.features, "features");
+  add(obstacles.boundary, "the boundary");
+  add(obstacles.irregular, "other irregular vertices");
+  add(obstacles.limit, "the limit of the search");
+  return text;
+}
+
+namespace {
+
+// What landing on a vertex does: it is regular and becomes the courier's end; it is a target that takes the courier; or
+// a target that must be crossed, a v5 that the courier makes a v6 or a v3 that it makes a v2.
+enum class Landing { refused, regular, absorbed, crossed };
+
+}  // namespace
+
+// From the targets over vertices on which a courier can land, until both ends of the start have been met and a little
+// further, so that small detours are measured too. Couriers cross no feature, so distances end there. A target on a
+// feature may have no edge inside its patch, but a split beside it lets it take a courier all the same (Figure 18):
+// there the corners of its sector count as the target.
+void Courier::measure_distances(std::span<const VertexId> targets, CourierPlace start) {
+  constexpr int kMargin = 2;
+  const QuadMesh& m = editor_.mesh();
+  const Sectors& sectors = editor_.sectors();
+  sources_.assign(targets.begin(), targets.end());
+  for (const VertexId x : targets) {
+    if (!sectors.is_fixed(x)) continue;
+    m.for_each_out(x, [&](HalfEdgeId h) {
+      if (sectors.excess(h) == 0) return;
+      for (const VertexId corner : m.corners(QuadMesh::face(h))) {
+        if (sectors.may_change(corner)) sources_.push_back(corner);
+      }
+    });
+  }
+  const VertexId u = start.u(m);
+  const VertexId v = start.v(m);
+  int last = -1;  // distances beyond this one are not needed; -1: not known yet
+  surroundings_.measure(
+      m, sources_, [&](VertexId x) { return sectors.may_change(x); },
+      [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); },
+      [&](VertexId, int d) {
+        farthest_ = d;
+        if (last < 0 && surroundings_.distance(u) >= 0 && surroundings_.distance(v) >= 0) last = d + kMargin;
+        return last >= 0 && d >= last;
+      });
+}
+
+int Courier::distance(VertexId v) const {
+  const int d = surroundings_.distance(v);
+  return d >= 0 ? d : farthest_ + 1;
+}
+
+// Makes the mesh that of a node: back to where the paths part, then forward.
+void Courier::go_to(int node, std::size_t base) {
+  std::vector<int> wanted;
+  for (int n = node; n > 0; n = nodes_[static_cast<std::size_t>(n)].parent) wanted.push_back(n);
+  std::reverse(wanted.begin(), wanted.end());
+  std::size_t common = 0;
+  while (common < path_.size() && common < wanted.size() && path_[common] == wanted[common]) ++common;
+  editor_.roll_back(base + common);
+  path_.resize(common);
+  for (std::size_t i = common; i < wanted.size(); ++i) {
+    editor_.run(nodes_[static_cast<std::size_t>(wanted[i])].step.operation);
+    path_.push_back(wanted[i]);
+  }
+}
+
+// Queues every step that can be made from here.
+void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> targets, Obstacles& obstacles) {
+  const QuadMesh& m = editor_.mesh();
+  const Sectors& sectors = editor_.sectors();
+  const VertexId u = courier.u(m);
+  const VertexId v = courier.v(m);
+  const auto is_target = [&](VertexId x) { return std::find(targets.begin(), targets.end(), x) != targets.end(); };
+  const auto meet = [&](VertexId x) { (m.is_boundary(x) ? obstacles.boundary : obstacles.features) = true; };
+  // `at` names the vertex and its sector; gains: it becomes the courier's v, and has one quad more.
+  const auto landing = [&](HalfEdgeId at, bool gains) {
+    if (!at.valid()) return Landing::refused;
+    const VertexId x = m.origin(at);
+    if (!sectors.may_change(x)) return meet(x), Landing::refused;
+    const int e = sectors.excess(at);
+    if (e == 0) return Landing::regular;
+    if (!is_target(x)) return obstacles.irregular = true, Landing::refused;
+    if (gains ? e < 0 : e > 0) return Landing::absorbed;
+    return !sectors.is_fixed(x) && e == (gains ? 1 : -1) ? Landing::crossed : Landing::refused;
+  };
+  const bool keeps_u = sectors.is_fixed(u);
+  const bool cut = sectors.is_cut(courier.edge);
+  const int eu = sectors.excess(courier.at_u());
+  const int ev = sectors.excess(courier.at_v());
+  for (const CourierStep step : kCourierSteps) {
+    const bool collapses = step.way == CourierStep::Way::collapse;
+    const bool splits = step.way == CourierStep::Way::split;
+    // On a cut edge there is one hand only.
+    if (cut && (step.hand == Hand::right) != courier.against) continue;
+    // A target that was crossed takes the courier on its far side: a v2 by the collapse, a v6 by the even split.
+    const bool takes = (collapses && eu == -2 && is_target(u)) || (splits && ev == 2 && is_target(v));
+    if ((collapses && eu != -1 && !takes) || (splits && ev < 0)) continue;
+    PlannedStep planned = plan(m, courier, step, splits && takes ? 3 : 2);
+    const Landing at_u = splits ? Landing::regular : landing(planned.at_u, false);
+    const Landing at_v = landing(planned.at_v, true);
+    if (at_u == Landing::refused || at_v == Landing::refused || planned.next_u == planned.next_v) continue;
+    if (takes && (at_u != Landing::regular || at_v != Landing::regular)) continue;
+    if (collapses && sectors.is_cut(planned.first)) planned.next = planned.beside;
+    // Vertices that were there before keep their ids, so that distances and targets stay what they are. But a collapse
+    // at a fixed u takes a regular vertex into it, and the next v is u.
+    if (collapses && keeps_u) {
+      if (at_v != Landing::regular || sectors.is_fixed(planned.next_v)) continue;
+      planned.next_v = u;
+    } else if (collapses) {
+      planned = renamed(m, planned);
+    }
+    if (const Refusal refusal = editor_.why_not(planned.operation); refusal != Refusal::none) {
+      obstacles.features |= refusal == Refusal::breaks_feature;
+      obstacles.boundary |= refusal == Refusal::boundary_corner || refusal == Refusal::boundary_edge;
+      continue;
+    }
+    VertexId absorbed_by;
+    if (at_u == Landing::absorbed) absorbed_by = planned.next_u;
+    if (at_v == Landing::absorbed) absorbed_by = planned.next_v;
+    if (takes) absorbed_by = collapses ? u : v;
+    const int absorbed = (at_u == Landing::absorbed ? 1 : 0) + (at_v == Landing::absorbed ? 1 : 0) + (takes ? 1 : 0);
+    // Beyond a target that was crossed, the same place is another one: the target lies on the other hand.
+    const Node& here = nodes_[static_cast<std::size_t>(node)];
+    const int crossings = here.crossings + (at_u == Landing::crossed ? 1 : 0) + (at_v == Landing::crossed ? 1 : 0);
+    if (crossings > most_crossings_) continue;
+    const std::int64_t key =
+        4 * static_cast<std::int64_t>(planned.next.edge.index()) + 2 * crossings + (planned.next.against ? 1 : 0);
+    if (absorbed == 0 && !seen_.insert(key).second) continue;
+    const int depth = here.depth + 1;
+    const int rest =
+        absorbed > 0 ? 0 : std::min(splits ? farthest_ + 1 : distance(planned.next_u), distance(planned.next_v));
+    nodes_.push_back({node, depth, crossings, absorbed, absorbed_by, planned});
+    open_.push({depth + rest, absorbed, depth, static_cast<int>(nodes_.size()) - 1});
+  }
+}
+
+Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, bool may_cross,
+                         std::int64_t most_states) {
+  const QuadMesh& m = editor_.mesh();
+  const Sectors& sectors = editor_.sectors();
+  Transport result;
+  result.refusal = Refusal::no_way;
+  for (const VertexId x : {start.u(m), start.v(m)}) {
+    if (!sectors.may_change(x)) (m.is_boundary(x) ? result.obstacles.boundary : result.obstacles.features) = true;
+  }
+  if (!to_string(result.obstacles).empty()) return result;
+
+  const std::size_t base = editor_.mark();
+  most_crossings_ = may_cross ? 1 : 0;
+  nodes_.assign(1, Node{});
+  path_.clear();
+  open_ = {};
+  seen_.clear();
+  measure_distances(targets, start);
+  const auto met = [this](VertexId v) { return surroundings_.distance(v) >= 0; };
+  if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0, 0});
+  while (!open_.empty() && result.states < most_states) {
+    const int node = open_.top().node;
+    open_.pop();
+    ++result.states;
+    go_to(node, base);
+    const Node& here = nodes_[static_cast<std::size_t>(node)];
+    const CourierPlace courier = node == 0 ? start : here.step.next;
+    if (here.absorbed > 0) {
+      result.refusal = Refusal::none;
+      result.courier = courier;
+      result.absorbed_by = here.absorbed_by;
+      result.steps = here.depth;
+      return result;
+    }
+    expand(node, courier, targets, result.obstacles);
+  }
+  result.obstacles.limit = !open_.empty();
+  editor_.roll_back(base);
+  return result;
+}
+
+}  // namespace requad::mesh

@@ -1,0 +1,129 @@
+// The three basic operations of section 4: edge flip, quad collapse, edge split.
+//
+// Each has a const query that says whether it is legal and why not, a checked call that leaves the mesh untouched when
+// it refuses, and an unchecked call whose precondition is that the query says Refusal::none.
+//
+// Laws, for every legal operation
+//   O1  The result satisfies the invariants of QuadMesh; Euler characteristic and orientation stay.
+//   O2  The boundary stays as a cycle of vertices: no boundary edge is made or removed. (Boundary vertices may change
+//       their valence; what must not touch them at all asks changed_vertices() first, as the pair moves do.)
+//   O3  Valences (Law B2 of the paper's section 4):
+//         flip      the two ends of the edge lose 1, the two vertices it turns to gain 1
+//         collapse  corners a, c merge into one of valence l(a) + l(c) - 2; corners b, d lose 1
+//         split     v parts into two vertices of valence g1 + 2 and g2 + 2, where g1, g2 edges lie strictly between the
+//                   two edges of the path, on either side; the path's ends gain 1
+//   O4  An operation followed by the inverse that apply() returns gives an equal mesh: same ids, same free ids next.
+//   O5  An operation touches the arrays of its own one or two faces, their neighbours' twins, and (collapse, split) the
+//       half-edges out of one vertex: O(1), or O(valence) of the vertex removed or made.
+// A flip is not its own inverse: three counter-clockwise flips bring an edge back, turned end for end, as three diagonals
+// of a hexagon join opposite corners.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "mesh/topology/quad_mesh.hpp"
+
+namespace requad::mesh {
+
+enum class Refusal {
+  none,
+  dead_element,      // a handle does not name a live element
+  boundary_edge,     // a boundary edge can not be flipped
+  valence_too_low,   // an interior vertex would be left with valence 1, a boundary vertex with no face
+  edge_exists,       // the result would have two edges between the same vertices, or an edge from a vertex to itself
+  boundary_corner,   // the vertex to remove lies on the boundary
+  same_edge,         // both edges of the path are one
+  not_one_fan,       // the two half-edges are not in one fan of their vertex in this order
+  touches_boundary,  // a vertex that must keep its valence would change it (pair moves)
+  no_such_step,      // the pair has no configuration in this direction (pair moves)
+  irregular_in_the_way,  // the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
+  breaks_feature,        // a feature edge would go (features.hpp)
+  moves_feature,         // a vertex on a feature would move (script.hpp)
+  no_way,                // no path leads the courier to a vertex that can take it (courier.hpp)
+  // What no sequence of operations can do (complementary.hpp):
+  wrong_valences,  // the vertices are not of the valences that this is about
+  no_rectangle,    // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
+  odd_distance,    // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
+  lone_pair,       // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
+  lone_vertex,     // a single irregular vertex can not be moved (Theorem 7.1)
+  index            // discrete Gauss-Bonnet leaves no room (Equation 1)
+};
+// One short clause, without full stop.
+std::string_view explain(Refusal refusal);
+
+enum class Turn { counter_clockwise, clockwise };
+
+// Edge flip. The edge h = u -> v, between two quads that form a hexagon, turns by one corner of it:
+//
+//        p --- v --- s            p --- v --- s            p --- v --- s
+//        |     ^     |            | `.        |            |        ,' |
+//        |  f  | h   |     =>     |    `.     |     or     |     ,'    |
+//        |     |     |            |       `.  |            |  ,'       |
+//        q --- u --- r            q --- u --- r            q --- u --- r
+//            before             counter-clockwise            clockwise
+//
+// u and v lose an edge; p and r, or q and s, gain one. Faces keep their ids. Counter-clockwise, the edge is afterwards
+// next(h) in face(h); clockwise, previous(h).
+Refusal why_not_flip(const QuadMesh& mesh, HalfEdgeId h, Turn turn);
+Refusal flip(QuadMesh& mesh, HalfEdgeId h, Turn turn);
+void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Turn turn);
+
+// Quad collapse. In the face of h = a -> b with corners a, b, c, d, vertex c merges into a; the face and c disappear.
+//
+//      d <-- c            d
+//      |     |     =>     |  \        (a's id stays; edges a-b and a-d stay)
+//      a -h-> b           a -- b
+Refusal why_not_collapse(const QuadMesh& mesh, HalfEdgeId h);
+Refusal collapse(QuadMesh& mesh, HalfEdgeId h);
+void collapse_unchecked(QuadMesh& mesh, HalfEdgeId h);
+
+// Edge split. first = v -> a and last = b -> v bound a sector of faces round v, from face(first) counter-clockwise to
+// face(last). A new vertex w takes the sector, and a new face (v, a, w, b) opens between.
+//
+//            \|/                     \|/
+//      b ---- v ---- a      =>    b <- w <- a        (v keeps what is outside the sector)
+//            /|\                   \-> v ->/
+//
+// `corner` (0..3) is the corner of the new face at v, so that an inverse restores ids exactly.
+struct SplitResult {
+  Refusal refusal = Refusal::none;
+  HalfEdgeId made;  // v -> a in the new face; its opposite is w -> b
+};
+Refusal why_not_split(const QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last);
+SplitResult split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
+HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
+
+// An operation as data: what scripts are made of.
+struct BasicOperation {
+  enum class Kind { flip_ccw, flip_cw, collapse, split };
+  Kind kind = Kind::flip_ccw;
+  HalfEdgeId h;     // the edge, the face's corner to keep, or the split's first
+  HalfEdgeId last;  // split only
+  int corner = 0;   // split only
+
+  friend bool operator==(const BasicOperation&, const BasicOperation&) = default;
+};
+// "flip_ccw 12", "flip_cw 12", "collapse 12", "split 12 34 0".
+std::string to_string(const BasicOperation& operation);
+
+Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation);
+// The vertices whose valence the operation changes (a split's v, a, b; none in unused places). Precondition: legal.
+std::array<VertexId, 4> changed_vertices(const QuadMesh& mesh, const BasicOperation& operation);
+
+struct Applied {
+  Refusal refusal = Refusal::none;
+  BasicOperation inverse;  // meaningful if refusal is none
+  HalfEdgeId made;         // the flipped edge in face(h), or the split's v -> a; none for a collapse
+};
+Applied apply(QuadMesh& mesh, const BasicOperation& operation);
+// Precondition: why_not() says Refusal::none.
+Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
+// Takes the last operation back by its inverse. Checked all the same: by Law O4 it is legal, and what breaks that law must
+// not break a mesh. Throws std::logic_error if it is refused.
+void take_back(QuadMesh& mesh, const BasicOperation& inverse);
+
+}  // namespace requad::mesh
+
+#include "mesh/topology/surgery.hpp"

@@ -1,0 +1,118 @@
+// Generators against each other, exploration, realisation, graph output.
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/isomorphism.hpp>
+
+#include "enumerate/generators.hpp"
+#include "enumerate/graph_output.hpp"
+#include "enumerate/realisation.hpp"
+#include "mesh/topology/signature.hpp"
+#include "mesh/topology/validate.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/support.hpp"
+#include "theory/counts.hpp"
+
+using namespace requad;
+using namespace requad::enumerate;
+using requad::tests::sides;
+
+TEST_CASE("three generators agree rel boundary", "[generators]") {
+  for (const tests::CensusEntry& entry : tests::census(18, true)) {
+    INFO(entry.type.name() << " " << theory::label(entry.type, entry.configuration));
+    REQUIRE(mesh::validate(entry.region.mesh).empty());
+    REQUIRE(mesh::region_problem(entry.region).empty());
+    const auto lengths = mesh::side_lengths(entry.region);
+    REQUIRE(std::equal(lengths.begin(), lengths.end(), entry.sides.begin(), entry.sides.end()));
+    REQUIRE(entry.region.mesh.face_count() ==
+            theory::PairSystem(entry.type).face_count(entry.configuration.parameters));
+    const std::string expected = mesh::signature(entry.region);
+    REQUIRE(mesh::signature(grow_region(entry.type, entry.configuration)) == expected);
+    const auto start = simplest_configuration(entry.type, entry.sides);
+    REQUIRE(mesh::signature(realise(entry.type, entry.sides, start, entry.configuration).region) == expected);
+    // And the labels read off the mesh are the ones it was made from.
+    const Reading reading = read(entry.region, entry.type);
+    REQUIRE(reading.problem.empty());
+    REQUIRE(reading.configuration == entry.configuration);
+  }
+}
+
+TEST_CASE("both labellings of a segment generate the same mesh", "[generators]") {
+  for (const tests::CensusEntry& entry : tests::census(18, false)) {
+    if (!entry.configuration.degenerate()) continue;
+    const auto other = theory::other_labelling(entry.type, entry.configuration);
+    REQUIRE(mesh::signature(glue_region(entry.type, other)) == mesh::signature(entry.region));
+    REQUIRE(mesh::signature(grow_region(entry.type, other)) == mesh::signature(entry.region));
+  }
+}
+
+TEST_CASE("bad parameters are refused", "[generators]") {
+  theory::Configuration c;
+  c.parameters = {1, 1, sides({1, 0})};
+  CHECK_THROWS_AS(glue_region(theory::kDigon, c), std::invalid_argument);
+  c.parameters = {1, 1, sides({1, 1, 1})};
+  CHECK_THROWS_AS(grow_region(theory::kDigon, c), std::invalid_argument);
+  c.parameters = {500000, 500000, sides({1, 1})};
+  CHECK_THROWS_AS(glue_region(theory::kDigon, c), std::invalid_argument);
+}
+
+TEST_CASE("exploration finds tau(9) = 16 configurations from any of them", "[exploration]") {
+  // Theorem 7.2: N^2 with N = 4.
+  const auto all = theory::parameter_set(theory::kDigon, sides({9, 9}));
+  for (const auto& c : all) {
+    const Exploration found = explore(theory::kDigon, {glue_region(theory::kDigon, c)});
+    CHECK(found.nodes.size() == 16);
+  }
+  const auto json =
+      graph_json(explore_all(theory::kDigon, sides({9, 9}), theory::Apex::without), theory::Apex::without);
+  CHECK(json["nodes"].size() == 16);
+  CHECK(json["edges"].size() == 28);  // levels 1, 3, 5, 7 of as many edges, 2 + 4 + 6 between them
+  CHECK(json["components"] == 1);
+}
+
+TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[exploration]") {
+  // An independent judge of the label-wise comparison in requad-verify; hexagons have no parallel edges and no loops.
+  for (const auto length : {3, 4, 5, 6}) {
+    const auto s = theory::IntegerVector::Constant(6, length).eval();
+    const auto found = found_graph(explore_all(theory::kHexagon, s, theory::Apex::with), theory::Apex::with);
+    const auto predicted =
+        theory::configuration_graph(theory::configuration_map(theory::kHexagon, s, theory::Apex::with));
+    CHECK(boost::isomorphism(found, predicted));
+  }
+}
+
+TEST_CASE("graph output in three formats", "[exploration]") {
+  const Exploration found = explore_all(theory::kDigon, sides({6, 6}), theory::Apex::with);
+  const auto with = graph_json(found, theory::Apex::with);
+  const auto without = graph_json(found, theory::Apex::without);
+  CHECK(with["nodes"].size() == 7);
+  CHECK(without["nodes"].size() == 6);
+  CHECK(with["edges"].size() == without["edges"].size() + 1);  // the apex hangs on (1,1) by one edge
+  for (const auto& node : without["nodes"]) {
+    for (const char* key : {"d1", "d2", "p", "faces"}) CHECK(node.contains(key));
+    CHECK(node["p"] == 0);
+  }
+  const std::string dot = graph_dot(found, theory::Apex::without);
+  CHECK(dot.find("graph G {") != std::string::npos);
+  CHECK(graph_graphml(found, theory::Apex::without).find("<graphml") != std::string::npos);
+  // Where there is no configuration the graph is empty, not an error.
+  const auto none =
+      graph_json(explore_all(theory::kQuad, sides({5, 4, 5, 4}), theory::Apex::without), theory::Apex::without);
+  CHECK(none["nodes"].empty());
+  CHECK(none["components"] == 0);
+}
+
+TEST_CASE("paths are shortest", "[exploration]") {
+  // From (1,1) to (5,1) in a digon of side 8: two levels up and back to the same difference need four steps.
+  const auto s = sides({8, 8});
+  const auto all = theory::parameter_set(theory::kDigon, s);
+  const auto at = [&](theory::Integer d1, theory::Integer d2) {
+    return *std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.d1() == d1 && c.d2() == d2; });
+  };
+  const Realisation made = realise(theory::kDigon, s, at(1, 1), at(5, 1));
+  CHECK(made.path.size() == 5);
+  CHECK(made.moves.size() == 4);
+  CHECK(mesh::signature(made.region) == mesh::signature(glue_region(theory::kDigon, at(5, 1))));
+  // The script alone, on the start's mesh, does the same.
+  mesh::Region replay = glue_region(theory::kDigon, at(1, 1));
+  CHECK(mesh::apply_all(replay.mesh, made.operations) == mesh::Refusal::none);
+  CHECK(mesh::signature(replay) == mesh::signature(made.region));
+}

@@ -1,0 +1,441 @@
+// Files: what is read, what is refused and where, and that nothing is lost on the way there and back.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "mesh/files/feature_edges.hpp"
+#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/write_obj.hpp"
+#include "mesh/geometry/diagnosis.hpp"
+#include "mesh/program/program.hpp"
+#include "mesh/topology/validate.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/programs.hpp"
+#include "tests/support/support.hpp"
+
+using namespace requad;
+using namespace requad::mesh;
+using namespace requad::tests;
+
+namespace {
+
+const std::string kFourVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+// What the reader says of a text, as "line: reason"; "" if it is read.
+template <class Parse>
+std::string complaint(const Parse& parse, const std::string& text) {
+  try {
+    parse(text, "file");
+  } catch (const FileError& error) {
+    const std::string message = error.what();
+    CHECK(message.find('\n') == std::string::npos);
+    REQUIRE(message.rfind("file:", 0) == 0);
+    return message.substr(5);
+  }
+  return "";
+}
+
+std::string of_obj(const std::string& text) { return complaint(parse_obj, text); }
+std::string of_off(const std::string& text) { return complaint(parse_off, text); }
+// Of the way from the text to a quad mesh.
+std::string of_quads(const std::string& text) {
+  return complaint([](const std::string& t, const std::string& name) { to_quad_mesh(parse_obj(t, name)); }, text);
+}
+
+std::vector<std::vector<int>> faces_of(const PolygonMesh& m) {
+  std::vector<std::vector<int>> faces;
+  for (std::size_t f = 0; f < m.face_count(); ++f) faces.emplace_back(m.face(f).begin(), m.face(f).end());
+  return faces;
+}
+
+// Vertices without any geometry, and these faces, counted from 1.
+std::string obj(int vertices, const std::vector<std::vector<int>>& faces) {
+  std::string text;
+  for (int v = 0; v < vertices; ++v) text += "v " + std::to_string(v) + " 0 0\n";
+  for (const auto& face : faces) {
+    text += "f";
+    for (const int v : face) text += " " + std::to_string(v);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: everything that may stand in it", "[files]") {
+  const std::string text =
+      "\xEF\xBB\xBF# a comment\r\n"
+      "mtllib some.mtl\r\n"
+      "o thing\n"
+      "v 0 0 0 # at the end of a line\n"
+      "  v\t+1 0e0 -0\n"
+      "v 1.5 1 0 1.0\n"       // weight
+      "v 0 1 0 0.5 0.25 1\n"  // colour
+      "\n"
+      "vt 0 0\nvn 0 0 1\ng one two\ns off\nusemtl stone\n"
+      "f 1/1/1 2//1 3/7 4\n"  // texture coordinates and normals are not even counted
+      "v 2 0 0\rv 2 1 0\r"    // lines of old
+      "f -5 -2 \\\n -1 -4\n"  // -1 is vertex 6, the last so far
+      "l 1 2\n"
+      "f 1 2 7";  // a vertex that comes later, and no line's end
+  const PolygonMesh m = parse_obj(text + "\nv 0 0 5\n", "file");
+  CHECK(faces_of(m) == std::vector<std::vector<int>>{{0, 1, 2, 3}, {1, 4, 5, 2}, {0, 1, 6}});
+  CHECK(m.lines == std::vector<int>{14, 17, 20});
+  REQUIRE(m.positions.size() == 7);
+  CHECK(m.positions[1] == Eigen::Vector3d(1, 0, 0));
+  CHECK(std::signbit(m.positions[1].z()));
+  CHECK(m.positions[3] == Eigen::Vector3d(0, 1, 0));
+  CHECK(of_obj(text) == "20: vertex 7 does not exist; there are 6, counted from 1");
+}
+
+TEST_CASE("OFF: everything that may stand in it", "[files]") {
+  const PolygonMesh m = parse_off(
+      "# first\nCOFF\n\n 5 2 0 # counts\n0 0 0 255 0 0 1\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n4 0 1 2 3 0.5 0.5 0.5\r\n\n3 0 3 "
+      "4",
+      "file");
+  CHECK(faces_of(m) == std::vector<std::vector<int>>{{0, 1, 2, 3}, {0, 3, 4}});
+  CHECK(m.lines == std::vector<int>{10, 12});
+  CHECK(m.first_index == 0);
+  CHECK(faces_of(parse_off("OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file")).size() == 1);
+}
+
+TEST_CASE("OBJ: what is refused, and in which line", "[files]") {
+  const std::string v = kFourVertices;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "1: the file ends without a vertex or face"},
+      {"# nothing\n\n", "3: the file ends without a vertex or face"},
+      {v, "5: the file ends without a face"},
+      {"v 0 0\n", "1: the line ends where a coordinate is expected"},
+      {"v 0 0 zero\n", "1: 'zero' is not a number"},
+      {"v 0 0 1.2.3\n", "1: '1.2.3' is not a number"},
+      {"v 0 0 1,5\n", "1: '1,5' is not a number"},  // whatever the locale
+      {"v 0 0 +-1\n", "1: '+-1' is not a number"},
+      {"v 0 0 0x10\n", "1: '0x10' is not a number"},
+      {"v 0 0 nan\n", "1: 'nan' is not a finite number"},
+      {"v 0 0 -inf\n", "1: '-inf' is not a finite number"},
+      {"v 0 0 1e999\n", "1: '1e999' is not a finite number"},
+      {"v 0 0 1e300\n", "1: a coordinate is larger than 1e70"},
+      {"v 0 0 0 red\n", "1: 'red' is not a number"},
+      {v + "f 1 2\n", "5: a face has 2 corners; expected 3 or more"},
+      {v + "f\n", "5: a face has 0 corners; expected 3 or more"},
+      {v + "f 1 2 5\n", "5: vertex 5 does not exist; there are 4, counted from 1"},
+      {v + "f 1 2 0\n", "5: vertex 0 does not exist; OBJ counts from 1"},
+      {v + "f 1 2 -5\n", "5: vertex -5 does not exist; there are 4 before this line"},
+      {v + "f 1 2 99999999999\n", "5: vertex 99999999999 does not exist; there are 4 before this line"},
+      {v + "f 1 2 99999999999999999999\n", "5: '99999999999999999999' is too large"},
+      {v + "f 1 2 x\n", "5: 'x' is not an integer"},
+      {v + "f 1 2 3.5\n", "5: '3.5' is not a corner v, v/vt, v//vn or v/vt/vn"},
+      {v + "f 1 2 3/1/1/1\n", "5: '3/1/1/1' is not a corner v, v/vt, v//vn or v/vt/vn"},
+      {v + "f 1 2 3/a\n", "5: 'a' is not an integer"},
+      {v + "f 1 2 3 1\n", "5: a vertex occurs twice in this face"},
+      {v + "f 1 2 3 -3\n", "5: a vertex occurs twice in this face"},
+      {obj(10, {{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 4}}), "11: a vertex occurs twice in this face"},
+      {v + "f 1 \\\n 2 \\\n z\n", "7: 'z' is not an integer"},
+      {v + "\x01\x02\n", "5: '?\?' does not start a line of OBJ"},
+      {"<html>\n", "1: '<html>' does not start a line of OBJ"},
+      {"OFF\n4 1 4\n", "1: this is OFF, not OBJ"},
+      {"v 0 0 " + std::string(100, 'y') + "\n", "1: '" + std::string(40, 'y') + "...' is not a number"}};
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(of_obj(text) == expected);
+  }
+}
+
+TEST_CASE("OFF: what is refused, and in which line", "[files]") {
+  const std::string v = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "1: nothing where OFF is expected"},
+      {"3 1 0\n" + v, "1: '3' where OFF is expected"},
+      {"v 0 0 0\n", "1: 'v' where OFF is expected"},
+      {"OFF\n", "2: the file ends where the numbers of vertices and faces are expected"},
+      {"OFF BINARY\n", "1: 'BINARY' is not an integer"},
+      {"4OFF\n3 1 0\n", "1: '4OFF' is not a surface in three dimensions"},
+      {"OFF\n3\n", "2: the line ends where the number of faces is expected"},
+      {"OFF\n3 1 0 9\n", "2: '9' after the numbers of vertices, faces and edges"},
+      {"OFF\n1000000000 1 0\n" + v, "2: 1000000000 vertices and 1 faces are promised; 19 characters follow"},
+      {"OFF\n3 1000000000 0\n" + v, "2: 3 vertices and 1000000000 faces are promised; 19 characters follow"},
+      {"OFF\n-3 1 0\n" + v, "2: -3 vertices and 1 faces are promised; 19 characters follow"},
+      {"OFF\n3 0 0\n" + v, "6: the file ends without a face"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0         \n\n\n", "7: the file ends after 2 of 3 vertices"},
+      {"OFF\n3 2 0\n" + v + "3 0 1 2\n", "7: the file ends after 1 of 2 faces"},
+      {"OFF\n3 1 0\n" + v + "3 0 1 2\n3 2 1 0\n", "7: more text after the last of 1 faces"},
+      {"OFF\n3 1 0\n" + v + "3 0 1 3\n", "6: vertex 3 does not exist; there are 3, counted from 0"},
+      {"OFF\n3 1 0\n" + v + "3 0 1 -1\n", "6: vertex -1 does not exist; there are 3, counted from 0"},
+      {"OFF\n3 1 0\n" + v + "2 0 1    \n", "6: a face has 2 corners; expected 3 or more"},
+      {"OFF\n3 1 0\n" + v + "1000000000 0 1 2\n", "6: the line ends where a face's vertex is expected"},
+      {"OFF\n3 1 0\n" + v + "3 0 1 1\n", "6: a vertex occurs twice in this face"},
+      {"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "4: the line ends where a coordinate is expected"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "5: 'nan' is not a finite number"}};
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(of_off(text) == expected);
+  }
+}
+
+TEST_CASE("polygons that are no quad mesh: the line and the reason", "[files]") {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {obj(5, {{1, 2, 3, 4}, {1, 2, 5}}),
+       "7: a face has 3 corners; expected a quad (subdividing makes quads of any polygons)"},
+      {obj(8, {{1, 2, 3, 4}, {2, 1, 5, 6}, {1, 2, 7, 8}}),
+       "11: edge 1-2 has 3 faces, the first in line 9; expected at most 2"},
+      {obj(6, {{1, 2, 3, 4}, {2, 5, 6, 3}, {1, 2, 3, 4}}),
+       "9: edge 2-3 has 3 faces, the first in line 7; expected at most 2"},
+      // A strip of three quads, the middle one turned round.
+      {obj(8, {{1, 2, 6, 5}, {2, 6, 7, 3}, {3, 4, 8, 7}}),
+       "10: this face and that of line 9 are not oriented alike at edge 2-6; turning 1 of the 3 faces round would do"},
+      // The same strip closed with half a turn: a Moebius band.
+      {obj(6, {{1, 2, 5, 4}, {2, 3, 6, 5}, {3, 4, 1, 6}}),
+       "9: the surface is one-sided, like a Moebius band, and has no orientation; seen at edge 3-6"},
+      {obj(7, {{1, 2, 3, 4}, {1, 5, 6, 7}}), "9: vertex 1 is not manifold: its faces form more than one fan"},
+      // Both faces twice: each edge has two faces, in opposite directions, but vertex 1 has two fans.
+      {obj(7, {{1, 2, 3, 4}, {1, 4, 3, 2}, {1, 5, 6, 7}, {1, 7, 6, 5}}),
+       "10: vertex 1 is not manifold: its faces form more than one fan"}};
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(of_quads(text) == expected);
+  }
+  // A Moebius band of triangles names the file's edge, not one that subdividing made.
+  spill(scratch() / "band.obj", obj(5, {{1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 1}, {5, 1, 2}}));
+  try {
+    read_surface((scratch() / "band.obj").string(), true);
+    FAIL("a Moebius band was taken");
+  } catch (const FileError& error) {
+    const std::string message = error.what();
+    CHECK(message.find("band.obj:9: the surface is one-sided") != std::string::npos);
+  }
+}
+
+TEST_CASE("a damaged file is read or refused in one line", "[files]") {
+  const std::string good_obj = kFourVertices + "v 2 0 0\nv 2 1 0 # six\nf 1/1 2/2/2 3//3 4\r\nf -5 -2 \\\n-1 3\n";
+  const std::string good_off = "OFF\n6 2 7\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n4 0 1 2 3\n4 1 4 5 2\n";
+  const std::string bytes = "0123456789-+.eE/\\#fv lnaOF \t\r\n\v\x80\xFF";
+  REQUIRE(of_obj(good_obj).empty());
+  REQUIRE(of_off(good_off).empty());
+  std::mt19937 random(3);
+  int refused = 0, taken = 0;
+  for (int trial = 0; trial < 40000; ++trial) {
+    std::string text = trial % 2 == 0 ? good_obj : good_off;
+    for (int change = 0; change <= trial % 3; ++change) {
+      const std::size_t at = random() % text.size();
+      if (random() % 4 == 0)
+        text.erase(at, 1 + random() % 5);
+      else if (random() % 2 == 0)
+        text.insert(at, 1, bytes[random() % bytes.size()]);
+      else
+        text[at] = bytes[random() % bytes.size()];
+    }
+    const auto both = [trial](const std::string& t, const std::string& name) {
+      const PolygonMesh m = trial % 2 == 0 ? parse_obj(t, name) : parse_off(t, name);
+      const std::string problem = manifold_problem(m);
+      const Surface s = to_quad_mesh(problem.empty() ? subdivide(m) : m);
+      if (!validate(s.mesh).empty()) throw std::logic_error("not valid");
+    };
+    ++(complaint(both, text).empty() ? taken : refused);
+  }
+  CHECK(refused > 5000);
+  CHECK(taken > 3000);
+}
+
+TEST_CASE("the reason is found for whatever QuadMesh refuses", "[files]") {
+  // Random quads on few vertices: nearly all are refused, for every reason. from_faces() decides by itself.
+  std::mt19937 random(1);
+  std::map<std::string, int> reasons;
+  int taken = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int vertices = 6 + trial % 7;
+    PolygonMesh m;
+    m.name = "file";
+    m.positions.resize(static_cast<std::size_t>(vertices), Eigen::Vector3d::Zero());
+    std::vector<int> all(static_cast<std::size_t>(vertices));
+    for (int v = 0; v < vertices; ++v) all[static_cast<std::size_t>(v)] = v;
+    for (int f = 0; f < 2 + trial % 3; ++f) {
+      std::shuffle(all.begin(), all.end(), random);
+      m.add_face(std::span<const int>(all).first(4), f + 1);
+    }
+    std::string message;
+    try {
+      to_quad_mesh(m);
+    } catch (const FileError& error) {
+      message = error.what();
+    }
+    CHECK(message == manifold_problem(m));
+    ++(message.empty() ? taken : reasons[message.substr(message.find_last_of(": ") + 1)]);
+  }
+  CHECK(taken > 20);
+  CHECK(reasons.size() >= 4);
+}
+
+TEST_CASE("vertices without faces are dropped, the others keep their order", "[files]") {
+  const Surface s = to_quad_mesh(parse_obj("v 9 9 9\n" + kFourVertices + "v 8 8 8\nf 3 4 5 2\n", "file"));
+  CHECK(s.dropped == 2);
+  CHECK(s.file_vertex == std::vector<int>{1, 2, 3, 4});
+  CHECK(s.from_file == std::vector<int>{-1, 0, 1, 2, 3, -1});
+  CHECK(s.positions.size() == 4);
+  CHECK(s.mesh.corners(FaceId(0))[0] == VertexId(1));
+  CHECK(validate(s.mesh).empty());
+}
+
+TEST_CASE("what was read is written to the same bits, in the same order", "[files]") {
+  // Any bits that are a number within bounds.
+  std::mt19937_64 random(2);
+  const QuadMesh m = torus(7, 5);
+  Positions positions;
+  while (positions.size() < 35) {
+    Eigen::Vector3d p;
+    for (double& x : p) {
+      do x = std::bit_cast<double>(random());
+      while (!std::isfinite(x) || std::abs(x) > 1e70);
+    }
+    positions.push_back(p);
+  }
+  positions[0] = {-0.0, 5e-324, 0.1 + 0.2};
+  const std::string text = obj_text(m, positions);
+  const Surface back = to_quad_mesh(parse_obj(text, "file"));
+  CHECK(back.mesh == m);
+  REQUIRE(back.positions.size() == positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (int k = 0; k < 3; ++k) {
+      CHECK(std::bit_cast<std::uint64_t>(back.positions[v][k]) == std::bit_cast<std::uint64_t>(positions[v][k]));
+    }
+  }
+  CHECK(obj_text(back.mesh, back.positions) == text);
+}
+
+TEST_CASE("subdividing: V' = V + E + F, F' = the corners, the vertices in front", "[files]") {
+  // A triangle, a quad and a pentagon in a row, and a vertex that no face has.
+  const PolygonMesh m = parse_obj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv -1 0.5 0\nv 7 7 7\n"
+      "f 1 4 8\nf 1 2 3 4\nf 2 5 6 7 3\n",
+      "file");
+  const PolygonMesh s = subdivide(m);
+  CHECK(s.positions.size() == 9 + 10 + 3);
+  CHECK(s.face_count() == 12);
+  CHECK(std::equal(m.positions.begin(), m.positions.end(), s.positions.begin()));
+  CHECK(s.positions[9] == Eigen::Vector3d(0, 0.5, 0));  // the first edge of the first face
+  CHECK(s.positions[19] == (m.positions[0] + m.positions[3] + m.positions[7]) / 3);
+  CHECK(s.lines == std::vector<int>{10, 10, 10, 11, 11, 11, 11, 12, 12, 12, 12, 12});
+  const Surface quads = to_quad_mesh(s);
+  CHECK(validate(quads.mesh).empty());
+  CHECK(euler_characteristic(quads.mesh) == 1);
+  CHECK(quads.dropped == 1);
+}
+
+TEST_CASE("files that can not be read, and names", "[files]") {
+  const auto refused = [](const std::string& path) {
+    try {
+      read_polygon_mesh(path);
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refused("/no/such/file.obj") == "/no/such/file.obj: can not be read: No such file or directory");
+  std::filesystem::create_directory(scratch() / "folder.off");
+  CHECK(refused((scratch() / "folder.off").string()).ends_with("folder.off: can not be read: it is a folder"));
+  CHECK(refused("mesh.stl") == "mesh.stl: expected a name that ends in .obj or .off");
+  CHECK(refused("") == ": expected a name that ends in .obj or .off");
+  spill(scratch() / "upper.OBJ", kFourVertices + "f 1 2 3 4\n");
+  CHECK(read_polygon_mesh((scratch() / "upper.OBJ").string()).face_count() == 1);
+}
+
+TEST_CASE("feature files", "[files]") {
+  // Vertices 1..12 of a grid of 3 x 2 quads, and one in no face before them.
+  Region g = grid(3, 2);
+  std::string text = "v 0 0 0\n";
+  for (int v = 0; v < g.mesh.vertex_count(); ++v)
+    text += "v " + std::to_string(v % 4) + " " + std::to_string(v / 4) + " 0\n";
+  for (const auto& f : g.mesh.compact_faces()) {
+    text += "f";
+    for (const int v : f) text += " " + std::to_string(v + 2);
+    text += "\n";
+  }
+  const Surface s = to_quad_mesh(parse_obj(text, "file"));
+  const auto name = [&s](VertexId v) { return std::to_string(s.file_vertex[v.slot()] + 1); };
+  std::vector<HalfEdgeId> inner = s.mesh.half_edges();
+  std::erase_if(inner, [&s](HalfEdgeId h) { return s.mesh.is_boundary(h); });
+  const VertexId a = s.mesh.origin(inner[0]), b = s.mesh.target(inner[0]);
+  const std::array<VertexId, 2> edge{std::min(a, b), std::max(a, b)};
+
+  const auto parse = [&s](const std::string& t) { return parse_feature_edges(t, "file", s); };
+  CHECK(parse("").empty());
+  CHECK(parse("# none\n" + name(a) + " " + name(b) + "\n" + name(b) + " " + name(a) + "\n") == FeatureEdges{edge});
+  CHECK(parse(text + "l " + name(a) + "/3 " + name(b) + "/4\n") == FeatureEdges{edge});
+  CHECK(parse(name(a) + " " + std::to_string(s.file_vertex[b.slot()] - 13)) == FeatureEdges{edge});  // backwards
+  const HalfEdgeId rim = s.mesh.out(VertexId(0));
+  CHECK(parse(name(s.mesh.origin(rim)) + " " + name(s.mesh.target(rim))).empty());  // a boundary edge is one anyway
+
+  const auto refused = [&parse](const std::string& t) {
+    return complaint([&parse](const std::string& u, const std::string&) { parse(u); }, t);
+  };
+  CHECK(refused("2 3 4\n") == "1: more than two vertices; expected an edge, or a chain after `l`");
+  CHECK(refused("\n2\n") == "2: fewer than two vertices; expected an edge");
+  CHECK(refused("l\n") == "1: fewer than two vertices; expected an edge");
+  CHECK(refused("2 2\n") == "1: no edge joins the vertices 2 and 2");
+  CHECK(refused("2 14\n") == "1: vertex 14 does not exist; there are 13, counted from 1");
+  CHECK(refused("2 0\n") == "1: vertex 0 does not exist; there are 13, counted from 1");
+  CHECK(refused("1 2\n") == "1: vertex 1 is in no face");
+  CHECK(refused("2 x\n") == "1: 'x' is not an integer");
+  CHECK(refused("2 3.5\n") == "1: '3.5' is not a vertex");
+  CHECK(refused("?\n") == "1: '?' is not a vertex");
+
+  // Subdivided, an edge of the file is its two halves.
+  spill(scratch() / "grid.obj", text);
+  const Surface halves = read_surface((scratch() / "grid.obj").string(), true);
+  const FeatureEdges two = parse_feature_edges(name(a) + " " + name(b), "file", halves);
+  CHECK(two.size() == 2);
+  CHECK(complaint([&](const std::string& t, const std::string& n) { parse_feature_edges(t, n, halves); }, "2 13\n") ==
+        "1: no edge joins the vertices 2 and 13");
+}
+
+TEST_CASE("real meshes are what their collection says", "[files][real]") {
+  // Genus, loops and irregular vertices: the table of the collection's README.
+  struct Row {
+    const char* name;
+    int vertices, faces, genus, loops;
+    std::map<int, int> irregular;
+    int inverted;  // -1: the table does not say
+  };
+  const std::vector<Row> rows{{"spot", 2930, 2928, 0, 0, {{3, 56}, {5, 40}, {6, 4}}, -1},
+                              {"fandisk_bommes", 766, 764, 0, 0, {{3, 19}, {5, 11}}, -1},
+                              {"hole_capsule", 89, 76, 0, 3, {{3, 2}}, -1},
+                              {"gargoyle_quadriflow", 4117, 4115, 0, 0, {{3, 94}, {5, 86}}, -1},
+                              {"armadillo_gel", 5570, 5568, 0, 0, {{3, 82}, {5, 65}, {6, 3}, {7, 1}}, -1},
+                              {"bigguy", 1452, 1450, 0, 0, {{3, 108}, {5, 76}, {6, 12}}, -1},
+                              {"blub", 7106, 7104, 0, 0, {{3, 26}, {5, 8}, {6, 2}, {7, 2}}, -1},
+                              {"bob", 5344, 5344, 1, 0, {{3, 10}, {5, 10}}, -1},
+                              {"bunny_qex", 2073, 2071, 0, 0, {{3, 45}, {5, 35}, {6, 1}}, 12},
+                              {"botijo_miq", 1048, 1056, 5, 0, {{2, 1}, {3, 21}, {5, 49}, {6, 3}}, -1},
+                              {"anet_complete01", 860, 768, 0, 6, {{6, 8}}, -1},
+                              {"pawn", 601, 588, 0, 1, {{3, 12}, {12, 1}}, -1}};
+  for (const Row& row : rows) {
+    const std::optional<std::string> path = real_mesh(row.name);
+    if (!path) continue;
+    INFO(row.name);
+    const Surface s = read_surface(*path, false);
+    CHECK(validate(s.mesh).empty());
+    const Diagnosis d = diagnose(s.mesh, s.positions);
+    CHECK(d.vertices == row.vertices);
+    CHECK(d.faces == row.faces);
+    CHECK(d.genus == row.genus);
+    CHECK(d.boundary_loops == row.loops);
+    std::map<int, int> irregular = d.valences;
+    irregular.erase(4);
+    CHECK(irregular == row.irregular);
+    if (row.inverted >= 0) CHECK(d.inverted == row.inverted);
+
+    const Surface back = to_quad_mesh(parse_obj(obj_text(s.mesh, s.positions), "file"));
+    CHECK(back.mesh == s.mesh);
+    CHECK(back.positions == s.positions);
+  }
+  for (const auto& [name, vertices, triangles] :
+       {std::tuple{"tri_bunny", 3485, 6966}, std::tuple{"tri_spot", 2930, 5856}}) {
+    const std::optional<std::string> path = real_mesh(name);
+    if (!path) continue;
+    const Surface s = read_surface(*path, true);
+    CHECK(s.mesh.vertex_count() == vertices + triangles * 3 / 2 + triangles);
+    CHECK(s.mesh.face_count() == 3 * triangles);
+    CHECK(validate(s.mesh).empty());
+  }
+}

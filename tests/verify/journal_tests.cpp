@@ -1,0 +1,227 @@
+// Journals: what a killed run leaves is enough to go on, and nothing is lost, counted twice or taken from another run.
+// And reports that do not depend on threads.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include <sys/stat.h>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/programs.hpp"
+#include "tests/support/support.hpp"
+#include "verify/report.hpp"
+
+using namespace requad;
+using namespace requad::verify;
+using namespace requad::tests;
+
+namespace {
+
+std::string without_seconds(const std::string& json) {
+  return std::regex_replace(json, std::regex("\"seconds\":[^,}]*"), "\"seconds\":0");
+}
+
+CaseResult some_result(int number) {
+  CaseResult r;
+  r.judgements.resize(2);
+  r.seconds = {0.25, 0};
+  r.study_seconds = 1;
+  r.judgements[0].checks = number;
+  r.judgements[0].row = {{"sides", {number, 2}}, {"text", "a \"b\"\n"}};
+  r.judgements[1].applies = false;
+  return r;
+}
+
+// How opening the journal is refused; "" if it is not.
+std::string refusal(const std::string& path, const std::string& run, std::size_t cases = 10) {
+  try {
+    Journal journal(path, run, cases, 2);
+    return "";
+  } catch (const program::UsageError& error) {
+    return error.what();
+  }
+}
+
+// A run that is slow enough to be killed on its way, and its number of regions.
+const std::string kRun =
+    "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
+
+}  // namespace
+
+TEST_CASE("results come back from JSON as they were", "[journal]") {
+  CaseResult r = some_result(7);
+  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  const CaseResult back = case_result(nlohmann::ordered_json::parse(to_json(r).dump()), 2);
+  REQUIRE(back.judgements.size() == 2);
+  CHECK(back.judgements[0].row.dump() == r.judgements[0].row.dump());
+  CHECK(back.judgements[0].checks == 7);
+  CHECK(back.judgements[0].violation->what == "what");
+  CHECK(back.judgements[0].violation->configuration == "(1,2)");
+  CHECK(back.judgements[0].violation->move == "open");
+  CHECK(back.judgements[0].violation->mesh->mesh == tests::grid(3, 2).mesh);
+  CHECK(back.judgements[0].violation->mesh->root == tests::grid(3, 2).root);
+  CHECK_FALSE(back.judgements[1].applies);
+  CHECK(back.seconds == r.seconds);
+  CHECK_THROWS(case_result(to_json(r), 0));
+}
+
+TEST_CASE("JSON that is no result is refused, at a cost that its size bounds", "[journal]") {
+  using nlohmann::ordered_json;
+  CaseResult r = some_result(7);
+  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  const ordered_json good = to_json(r);
+  REQUIRE_NOTHROW(case_result(good, 2));
+  const std::string mesh = "/claims/0/violation/mesh";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"/claims/0/claim", "2"},   {"/claims/0/claim", "-1"},      {"/claims/0/claim", "0.5"},
+      {"/claims/0/checks", "-1"}, {"/claims/0/checks", "1e300"},  {"/claims/0/checks", "18446744073709551615"},
+      {mesh + "/root", "24"},     {mesh + "/root", "-1"},         {mesh + "/root", "4294967296"},
+      {mesh + "/vertices", "13"}, {mesh + "/vertices", "-1"},     {mesh + "/vertices", "2147483647"},
+      {mesh + "/faces/0", "[]"},  {mesh + "/faces/0/0", "-1"},    {mesh + "/faces/0/0", "4294967296"},
+      {mesh + "/faces", "7"},     {mesh + "/faces/0", "[0,1,2]"}, {mesh + "/faces/0", "[0,1,2,3,4]"}};
+  for (const auto& [place, value] : cases) {
+    INFO(place << ": " << value);
+    ordered_json bad = good;
+    bad[ordered_json::json_pointer(place)] = ordered_json::parse(value);
+    CHECK_THROWS(case_result(bad, 2));
+  }
+}
+
+TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[journal]") {
+  const std::string path = (scratch() / "unit.journal").string();
+  {
+    Journal journal(path, "run a", 10, 2);
+    CHECK(journal.results().empty());
+    journal.append(3, some_result(3));
+    journal.append(0, some_result(0));
+    CHECK(refusal(path, "run a") == "--journal: " + path + ": is in use by another run");
+  }
+  const std::string whole = slurp(path);
+  CHECK(line_count(whole) == 3);
+  {
+    Journal journal(path, "run a", 10, 2);
+    CHECK(journal.results().size() == 2);
+    CHECK(journal.results().at(3).judgements[0].checks == 3);
+  }
+  CHECK(slurp(path) == whole);
+  CHECK(refusal(path, "run b") == "--journal: " + path + ": line 1: it belongs to another run: run a");
+  CHECK(slurp(path) == whole);
+  CHECK(refusal(path, "run a", 2) == "--journal: " + path + ": line 2: there is no case 3");
+
+  // Cut anywhere: what is whole stays, the rest goes, and the journal can be added to.
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    spill(path, whole.substr(0, size));
+    const std::size_t kept = line_count(whole.substr(0, size));
+    Journal journal(path, "run a", 10, 2);
+    REQUIRE(journal.results().size() == (kept > 1 ? kept - 1 : 0));
+    journal.append(7, some_result(7));
+    REQUIRE(line_count(slurp(path)) == std::max<std::size_t>(kept, 1) + 1);
+  }
+
+  // Damage before the end is none that a killed run leaves.
+  const std::size_t second = whole.find('\n') + 1;
+  for (std::size_t at = 0; at < whole.rfind('\n', whole.size() - 2); at += 7) {
+    std::string damaged = whole;
+    damaged[at] = damaged[at] == 'x' ? 'y' : 'x';
+    spill(path, damaged);
+    REQUIRE_FALSE(refusal(path, "run a").empty());
+    REQUIRE(slurp(path) == damaged);
+  }
+  spill(path, whole + whole.substr(second));
+  CHECK(refusal(path, "run a") == "--journal: " + path + ": line 4: case 3 stands here twice");
+
+  // A case is an integer: checksums are right here, numbers are not.
+  for (const auto& [text, sum] :
+       {std::pair{"{\"case\":1e20,\"result\":0}", "f9ee0582"}, std::pair{"{\"case\":-1,\"result\":0}", "a945e3da"}}) {
+    spill(path, whole.substr(0, second) + sum + " " + text + "\n");
+    CHECK(refusal(path, "run a").find("line 2: it is no record: no integer") != std::string::npos);
+  }
+
+  // Files that are something else are left alone.
+  for (const std::string text : {"x", "hello\n", "a\nb\n"}) {
+    spill(path, text);
+    CHECK(refusal(path, "run a") == "--journal: " + path + ": line 1: this is no journal of requad-verify");
+    CHECK(slurp(path) == text);
+  }
+  CHECK(refusal(scratch().string(), "run a").find("can not be opened") != std::string::npos);
+  // What has no end, and what can not be gone back in.
+  CHECK(refusal("/dev/zero", "run a") == "--journal: /dev/zero: is no regular file");
+  const std::string pipe = (scratch() / "pipe.journal").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(refusal(pipe, "run a") == "--journal: " + pipe + ": is no regular file");
+}
+
+TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
+  const Outcome at_once = call("verify", kRun + "--json at-once.json --threads 1");
+  REQUIRE(at_once.code == 0);
+  const Outcome two = call("verify", kRun + "--json two.json --threads 2");
+  CHECK(two.code == 0);
+  const std::string expected = without_seconds(slurp(scratch() / "at-once.json"));
+  CHECK(without_seconds(slurp(scratch() / "two.json")) == expected);
+  CHECK(expected.find("\"walk\":") != std::string::npos);
+  CHECK(expected.find("\"methods\":[\"moves\",\"search\",\"walk\"]") != std::string::npos);
+
+  const auto journal = scratch() / "killed.journal";
+  for (const std::size_t lines : {std::size_t{4}, std::size_t{20}})
+    CHECK(killed_at_line("verify", kRun + "--threads 2 --journal killed.journal", "killed.journal", lines));
+  const std::size_t kept = line_count(slurp(journal));
+  // The end of a line, as if it had been torn.
+  std::ofstream(journal, std::ios::app) << slurp(journal).substr(0, 40);
+  const Outcome rest = call("verify", kRun + "--json rest.json --journal killed.journal");
+  REQUIRE(rest.code == 0);
+  CHECK(without_seconds(slurp(scratch() / "rest.json")) == expected);
+  const std::string full = slurp(journal);
+  CHECK(line_count(full) > kept);
+  // All is there now: nothing is run, and the report is the same.
+  CHECK(call("verify", kRun + "--json again.json --journal killed.journal").code == 0);
+  CHECK(slurp(journal) == full);
+  CHECK(without_seconds(slurp(scratch() / "again.json")) == expected);
+
+  // Another run's journal, in one line.
+  const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
+  CHECK(other.code == 2);
+  CHECK(line_count(other.err) == 1);
+  CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 (build ") != std::string::npos);
+  CHECK(other.err.find(") claims T2 T4 M1; digon 3..16;") != std::string::npos);
+  CHECK(slurp(journal) == full);
+
+  // Another build's, though the version is the same: a program with a byte more at its end, which nothing reads.
+  std::filesystem::copy_file(REQUAD_PROGRAM_DIR "/requad-verify", scratch() / "requad-verify");
+  std::ofstream(scratch() / "requad-verify", std::ios::app) << '\n';
+  const Outcome build = call("edit", "--version >/dev/null; ./requad-verify " + kRun + "--journal killed.journal");
+  CHECK(build.code == 2);
+  CHECK(build.err.find("line 1: it belongs to another run: requad-verify 0.1.0 (build ") != std::string::npos);
+  CHECK(slurp(journal) == full);
+}
+
+TEST_CASE("a journal that the disk has no room for ends the run, and can be gone on with", "[journal]") {
+  const Outcome at_once = call("verify", kRun + "--json at-once.json");
+  REQUIRE(at_once.code == 0);
+  // A limit on the size of files, of four blocks as the shell counts them: 512 bytes or 1 KiB.
+  const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " +
+                                        kRun + "--threads 2 --journal full.journal");
+  INFO(full.err);
+  CHECK(full.code == 2);
+  CHECK(line_count(full.err) == 1);
+  CHECK(full.err.find("--journal: full.journal: can not be written: File too large") != std::string::npos);
+  const std::string kept = slurp(scratch() / "full.journal");
+  CHECK(line_count(kept) > 3);
+  CHECK(kept.ends_with('\n'));
+  CHECK(kept.size() < 4096);
+  const Outcome rest = call("verify", kRun + "--json rest.json --journal full.journal");
+  CHECK(rest.code == 0);
+  CHECK(slurp(scratch() / "full.journal").starts_with(kept));
+  CHECK(without_seconds(slurp(scratch() / "rest.json")) == without_seconds(slurp(scratch() / "at-once.json")));
+}
+
+TEST_CASE("verify walks alone, far beyond what moves and search can do", "[journal]") {
+  const Outcome made =
+      call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
+  CHECK(made.code == 0);
+  // Theorem 7.2 for L = 150, N = 75: N (N - 1); Theorem 7.3 for L = 41, N = 20: 3 N^2.
+  CHECK(made.out.find("\"walk\":5550") != std::string::npos);
+  CHECK(made.out.find("\"walk\":1200") != std::string::npos);
+  CHECK(made.out.find("\"methods\":[\"walk\"]") != std::string::npos);
+  CHECK(call("verify", "--claim T2 --digon 150").code == 2);
+  CHECK(call("verify", "--claim T2 --method walk --digon 2001").code == 2);
+}

@@ -1,0 +1,245 @@
+// requad-verify's library: claims hold on small ranges, and each claim fails when its facts are falsified.
+#include "enumerate/generators.hpp"
+#include "mesh/topology/signature.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/support.hpp"
+#include "verify/errata.hpp"
+#include "verify/report.hpp"
+
+using namespace requad;
+using namespace requad::verify;
+using requad::tests::sides;
+
+namespace {
+
+const Claim& claim(const std::string& id) {
+  for (const Claim& c : claims()) {
+    if (c.id == id) return c;
+  }
+  throw std::logic_error("no claim " + id);
+}
+
+const std::set<Method> kAll{Method::moves, Method::search, Method::walk};
+
+Study study_of(Family family, theory::PairType type, const theory::IntegerVector& s) {
+  return study({family, type, s}, kAll);
+}
+
+Ranges small_ranges() {
+  Ranges r;
+  r.digon = {3, 8};
+  r.hexagon = {3, 5};
+  r.quad_perimeter = {8, 20};
+  r.other_perimeter = {4, 16};
+  return r;
+}
+
+CampaignResult run_small(int threads) {
+  std::vector<const Claim*> all;
+  std::set<Family> families;
+  for (const Claim& c : claims()) {
+    all.push_back(&c);
+    families.insert(c.families.begin(), c.families.end());
+  }
+  return run_campaign(all, list_cases(small_ranges(), families), kAll, {.threads = threads, .quiet = true});
+}
+
+}  // namespace
+
+TEST_CASE("every claim holds on small ranges, whatever the number of threads", "[verify]") {
+  const CampaignResult one = run_small(1);
+  CHECK(one.passed());
+  for (const ClaimResult& c : one.claims) {
+    INFO(c.claim->id << ": " << (c.violation ? c.violation->what : ""));
+    CHECK_FALSE(c.violation.has_value());
+    CHECK(c.instances > 1);
+    for (const auto& [family, total] : c.totals) CHECK(total.checks > 0);
+  }
+  const auto without_seconds = [](CampaignResult r) {
+    for (ClaimResult& c : r.claims) c.seconds = 0;
+    return report_json(r, small_ranges());
+  };
+  CHECK(without_seconds(one) == without_seconds(run_small(2)));
+}
+
+TEST_CASE("the report has the keys that others rely on", "[verify]") {
+  const auto json = report_json(run_small(2), small_ranges());
+  CHECK(json["passed"] == true);
+  CHECK(json["claims"].size() == claims().size());
+  for (const auto& c : json["claims"]) {
+    for (const char* key :
+         {"id", "statement", "verdict", "instances", "range", "methods", "seconds", "counterexample", "table"}) {
+      CHECK(c.contains(key));
+    }
+    CHECK(c["verdict"] == "holds");
+    CHECK(c["counterexample"].is_null());
+    CHECK(!c["table"].empty());
+  }
+}
+
+TEST_CASE("the HTML report has a section for each claim and is self-contained", "[verify]") {
+  const std::string html = report_html(run_small(2), small_ranges());
+  for (const Claim& c : claims()) CHECK(html.find("<h2 id=\"" + c.id + "\">") != std::string::npos);
+  for (const char* outside : {"http:", "https:", "<script", "<link", "src="})
+    CHECK(html.find(outside) == std::string::npos);
+  CHECK(html.find("</html>") != std::string::npos);
+}
+
+TEST_CASE("errata come with instances", "[verify]") {
+  const auto errata = find_errata();
+  CHECK(errata.size() == 5);
+  for (const Erratum& e : errata) {
+    CHECK(!e.instance.empty());
+    CHECK(e.written != e.found);
+  }
+  // By hand: 0 < m+n <= 1 has (1,0) and (0,1), one configuration; three quadrants of that in a hexagon.
+  CHECK(errata[0].instance == "digon of side 3: the set as written has 2 elements, there are 1 configurations");
+  CHECK(errata[1].instance == "hexagon of side 3: the set as written has 6 elements, there are 3 configurations");
+}
+
+// A check that can not fail is worse than none: falsify the facts it looks at, one by one.
+TEST_CASE("each claim fails on falsified facts", "[verify]") {
+  const Study digon = study_of(Family::regular_digon, theory::kDigon, sides({6, 6}));
+  const Study hexagon = study_of(Family::regular_hexagon, theory::kHexagon, sides({5, 5, 5, 5, 5, 5}));
+  const Study quad = study_of(Family::quad, theory::kQuad, sides({5, 4, 4, 7}));
+  const auto fails = [](const std::string& id, Study s, auto falsify) {
+    INFO(id);
+    REQUIRE_FALSE(claim(id).judge(s).violation.has_value());
+    falsify(s);
+    const Judgement j = claim(id).judge(s);
+    REQUIRE(j.violation.has_value());
+    CHECK(!j.violation->what.empty());
+  };
+  const auto first_made = [](Study& s) -> enumerate::FoundMove& {
+    return *std::find_if(s.found.moves.begin(), s.found.moves.end(), [](const auto& m) { return m.to >= 0; });
+  };
+  const auto first_refused = [](Study& s) -> enumerate::FoundMove& {
+    return *std::find_if(s.found.moves.begin(), s.found.moves.end(), [](const auto& m) { return m.to < 0; });
+  };
+  const auto lose_last_node = [](Study& s) {
+    const int last = static_cast<int>(s.found.nodes.size()) - 1;
+    s.found.nodes.pop_back();
+    s.predicted_of.pop_back();
+    std::erase_if(s.found.moves, [last](const auto& m) { return m.from == last || m.to == last; });
+  };
+  for (const auto& [id, s] : {std::pair{"T2", digon}, std::pair{"T3", hexagon}, std::pair{"T4", quad}}) {
+    fails(id, s, lose_last_node);
+    fails(id, s, [](Study& x) { ++x.exact_count; });
+    fails(id, s, [](Study& x) { x.predicted_of[0] = -1; });
+    fails(id, s, [](Study& x) { std::swap(x.predicted_of[0], x.predicted_of[1]); });
+    fails(id, s,
+          [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
+    fails(id, s, [&](Study& x) { first_made(x).restored = false; });
+    fails(id, s, [&](Study& x) { first_made(x).inverse_returns = false; });
+    fails(id, s, [&](Study& x) { first_refused(x).refused_unchanged = false; });
+    fails(id, s, [&](Study& x) { first_made(x).after->parameters.d1 += 2; });
+    fails(id, s, [&](Study& x) { first_made(x).after.reset(); });
+    fails(id, s, [&](Study& x) { x.found.moves.push_back(first_made(x)); });
+    fails(id, s, [](Study& x) { x.searched->pop_back(); });
+    fails(id, s, [](Study& x) { x.searched->front() += "0"; });
+  }
+  fails("T2", digon, [](Study& x) { x.searched_merged->clear(); });
+  const auto other_d1 = [&](Study& x) {
+    auto& reading = x.found.nodes[static_cast<std::size_t>(first_made(x).to)].reading;
+    reading.configuration.parameters.d1 += 3;
+    for (auto& f : reading.frames) f.labelling.parameters.d1 += 3;
+  };
+  fails("P1", quad, other_d1);
+  fails("P1", quad, [](Study& x) { x.found.moves.pop_back(); });
+  fails("P1", quad, [&](Study& x) {
+    first_made(x) = *std::find_if(x.found.moves.begin(), x.found.moves.end(), [&](const auto& m) {
+      return m.to >= 0 && &m != &first_made(x) && m.from == first_made(x).from;
+    });
+  });
+  fails("P2", digon, other_d1);
+  fails("P2", hexagon, other_d1);
+  fails("P3", hexagon, [&](Study& x) { ++first_made(x).faces_made; });
+  fails("P3", digon, [](Study& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
+  fails("P3", quad, [&](Study& x) { ++first_made(x).move.frame.a; });
+  fails("N4", hexagon, [&](Study& x) { ++first_made(x).operations; });
+  fails("N4", quad, [&](Study& x) { std::swap(first_made(x).before, first_made(x).after); });
+  fails("G1", digon, [](Study& x) {
+    // Every valid mesh keeps the law, so take one whose arrays have lost a vertex: its index is missing from the sum.
+    const auto& m = x.found.nodes[0].region.mesh;
+    std::vector<mesh::HalfEdgeId> twin, out;
+    std::vector<mesh::VertexId> origin;
+    for (int h = 0; h < m.half_edge_capacity(); ++h) {
+      twin.push_back(m.twin(mesh::HalfEdgeId(h)));
+      origin.push_back(m.origin(mesh::HalfEdgeId(h)));
+    }
+    for (int v = 0; v < m.vertex_capacity(); ++v) out.push_back(m.out(mesh::VertexId(v)));
+    out.back() = mesh::HalfEdgeId();
+    x.found.nodes[0].region.mesh = mesh::QuadMesh::from_arrays_unchecked(twin, origin, out);
+  });
+  fails("L8", digon, [](Study& x) { x.found.nodes[0].reading.frames.push_back(x.found.nodes[0].reading.frames[0]); });
+  fails("L8", hexagon, [](Study& x) { ++x.found.nodes[0].reading.frames[0].frame.a; });
+  fails("L9", digon, [](Study& x) {
+    // An L of three quads: five corners, no curvature.
+    x.found.nodes[0].region = {mesh::QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}),
+                               mesh::HalfEdgeId(0)};
+  });
+  fails("L10", hexagon, [](Study& x) { std::swap(x.found.nodes[0].signature, x.found.nodes[1].signature); });
+  fails("T11", quad, [](Study& x) {
+    x.found.nodes[1].region = x.found.nodes[0].region;
+    x.found.nodes[1].reading.frames = x.found.nodes[0].reading.frames;
+  });
+  fails("M1", hexagon, lose_last_node);
+  fails("M1", digon, [](Study& x) { x.searched->push_back(mesh::signature(tests::grid(3, 3))); });
+  fails("R1", quad, [](Study& x) { x.found.nodes[0].signature += "0"; });
+  fails("F1", digon, [](Study& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
+  fails("F1", digon,
+        [&](Study& x) { x.found.moves.erase(x.found.moves.begin() + (&first_made(x) - x.found.moves.data())); });
+  fails("F1", hexagon, lose_last_node);
+  fails("N1", quad, [](Study& x) { x.region.sides = sides({5, 4, 5, 4}); });
+  fails("N1", quad, [](Study& x) { x.found.nodes[0].region = tests::grid(3, 3); });
+  fails("N1", quad, [](Study& x) { x.found.nodes[0].reading.irregular.pop_back(); });
+  fails("N2", digon, [](Study& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
+  fails("N2", digon, [](Study& x) {
+    std::erase_if(x.found.moves, [&](const auto& m) { return m.to >= 0 && !x.found.holds_pair(m.to); });
+  });
+
+  // A shortest path is one: forget the moves that make the other ones longer than they look.
+  fails("R1", digon, [&](Study& x) {
+    std::erase_if(x.found.moves, [&](const auto& m) { return m.to >= 0 && !x.found.holds_pair(m.from); });
+  });
+
+  // One irregular vertex: another vertex in its place, or operations that are not there.
+  const auto single = [](int valence, theory::Integer length) {
+    return study_of(Family::single_vertex, valence == 2 ? theory::kDigon : theory::PairType{valence + 1, 3},
+                    theory::IntegerVector::Constant(valence, length));
+  };
+  fails("T1", single(5, 4), [](Study& x) { x.searched->clear(); });
+  fails("T1", single(5, 4), [](Study& x) { x.single.clear(); });
+  fails("T1", single(8, 3), [](Study& x) { x.searched->pop_back(), x.single.pop_back(); });
+  fails("T1", single(5, 4),
+        [](Study& x) { x.single.push_back(x.single[0]), x.searched->push_back(x.searched->front()); });
+  const auto instead = [](const Study& other) { return [other](Study& x) { x.single = other.single; }; };
+  fails("A2", single(3, 6), [&](Study& x) { x.single = single(5, 6).single; });
+  fails("A3", single(4, 6), instead(single(5, 6)));
+  fails("A4", single(2, 6), instead(single(3, 6)));
+  fails("A4", single(6, 6), instead(single(7, 8)));
+  // A v3 and a far v5: operations at the v3 leave more irregular vertices than the one the claim starts from, but one
+  // that removes an adjacent pair leaves fewer. Claims about a neighbourhood do not apply where it is not regular.
+  Study not_single = single(3, 6);
+  not_single.single = {quad.found.nodes[0].region};
+  CHECK_FALSE(claim("B1").judge(not_single).applies);
+  fails("P4", digon, [](Study& x) {
+    // The configuration that a courier should make is forgotten.
+    for (auto& node : x.found.nodes) node.signature += "0";
+  });
+  fails("P4", quad, [&](Study& x) {
+    for (auto& node : x.found.nodes) node.signature += "0";
+  });
+  RegionCase three{Family::three_vertices, theory::PairType{4, 3}, sides({4, 4, 4}), {3, 3, 5}};
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->clear(); });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->front() += "0"; });
+  three.sides = sides({2, 4, 6});
+  fails("N3", study(three, kAll), [](Study& x) { x.searched_merged->clear(); });
+  fails("N3", study(three, kAll), [](Study& x) { x.searched->push_back("0"); });
+  // A1 at a pair that is not adjacent.
+  const Study adjacent = study_of(Family::quad, theory::kQuad, sides({5, 4, 4, 5}));
+  fails("A1", adjacent, [&](Study& x) {
+    for (auto& node : x.found.nodes)
+      node.region = enumerate::glue_region(theory::kQuad, {{2, 1, theory::IntegerVector::Constant(4, 2)}, 1});
+  });
+}

@@ -1,0 +1,341 @@
+// Claims about basic and atomic operations (sections 2, 4, 5), by exhausting them on generated neighbourhoods: every
+// operation at every site that leaves the boundary alone.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "mesh/topology/separatrix.hpp"
+#include "mesh/topology/signature.hpp"
+#include "verify/claims/judging.hpp"
+
+namespace requad::verify {
+
+using mesh::BasicOperation;
+using mesh::HalfEdgeId;
+using mesh::QuadMesh;
+using mesh::Refusal;
+using mesh::Region;
+using mesh::VertexId;
+using Kind = mesh::BasicOperation::Kind;
+
+namespace {
+
+constexpr int kLargestNeighbourhood = 60;  // faces; what exhausts pairs of operations takes smaller regions only
+
+// Every legal operation that changes no valence on the boundary, each once: an edge has two flips, a face two collapses
+// (one for each diagonal), two edges at a vertex one split.
+std::vector<BasicOperation> all_operations(const QuadMesh& m) {
+  std::vector<BasicOperation> operations;
+  const auto add = [&](const BasicOperation& op) {
+    if (mesh::why_not(m, op) != Refusal::none) return;
+    for (const VertexId v : mesh::changed_vertices(m, op)) {
+      if (v.valid() && m.is_boundary(v)) return;
+    }
+    operations.push_back(op);
+  };
+  for (const HalfEdgeId h : m.half_edges()) {
+    if (h < m.twin(h)) {
+      add({Kind::flip_ccw, h, {}, 0});
+      add({Kind::flip_cw, h, {}, 0});
+    }
+    if (h.index() % 4 < 2) add({Kind::collapse, h, {}, 0});
+  }
+  for (const VertexId v : m.vertices()) {
+    if (m.is_boundary(v)) continue;
+    std::vector<HalfEdgeId> out;
+    m.for_each_out(v, [&out](HalfEdgeId h) { out.push_back(h); });
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      for (std::size_t k = i + 1; k < out.size(); ++k) add({Kind::split, out[i], m.twin(out[k]), 0});
+    }
+  }
+  return operations;
+}
+
+struct Result {
+  BasicOperation operation;
+  QuadMesh mesh;
+  std::vector<VertexId> irregular;
+  std::multiset<int> valences;  // of the irregular ones
+};
+
+Result performed(const QuadMesh& m, const BasicOperation& op) {
+  Result r{op, m, {}, {}};
+  mesh::apply(r.mesh, op);
+  r.irregular = mesh::irregular_vertices(r.mesh);
+  for (const VertexId v : r.irregular) r.valences.insert(r.mesh.valence(v));
+  return r;
+}
+
+bool is_flip(Kind kind) { return kind == Kind::flip_ccw || kind == Kind::flip_cw; }
+
+// A neighbourhood of one vertex of this valence, two rings of quads deep and more, so that no operation at the vertex
+// comes near the boundary; or null.
+const Region* neighbourhood(const Study& s) {
+  if (s.region.family != Family::single_vertex) return nullptr;
+  for (const Region& region : s.single) {
+    const auto irregular = mesh::irregular_vertices(region.mesh);
+    if (irregular.size() > 1) continue;
+    if (irregular.empty()) return &region;
+    std::set<VertexId> reached{irregular[0]};
+    for (int ring = 0; ring < 2; ++ring) {
+      std::set<VertexId> wider = reached;
+      for (const VertexId v : reached) {
+        if (region.mesh.is_boundary(v)) continue;
+        region.mesh.for_each_out(v, [&](HalfEdgeId h) {
+          for (const VertexId w : region.mesh.corners(QuadMesh::face(h))) wider.insert(w);
+        });
+      }
+      reached = std::move(wider);
+    }
+    if (std::none_of(reached.begin(), reached.end(), [&](VertexId v) { return region.mesh.is_boundary(v); }))
+      return &region;
+  }
+  return nullptr;
+}
+
+int valence_of(const Study& s) { return s.region.type.side_count(); }
+
+Judgement violated(const Region& region, std::string what, Judgement j) {
+  j.violation = Violation{std::move(what), "", "", region};
+  return j;
+}
+
+// Meshes to try single operations on: the neighbourhood, or the first configuration of a small region.
+const Region* sample(const Study& s) {
+  if (const Region* single = neighbourhood(s))
+    return single->mesh.face_count() <= kLargestNeighbourhood ? single : nullptr;
+  if (s.found.nodes.empty() || s.found.nodes[0].region.mesh.face_count() > kLargestNeighbourhood) return nullptr;
+  return &s.found.nodes[0].region;
+}
+
+// How far valences are beyond 3 and 5.
+int excess(const std::multiset<int>& valences) {
+  int sum = 0;
+  for (const int l : valences) sum += std::max(l - 5, 0) + std::max(3 - l, 0);
+  return sum;
+}
+
+// Whether splits, each of which brings the valences nearer to v3s and v5s, lead all the way. The largest step first, going
+// back where it leads nowhere.
+bool reducible_by_splits(const QuadMesh& m, int now) {
+  if (now == 0) return true;
+  std::multimap<int, BasicOperation> better;
+  for (const BasicOperation& op : all_operations(m)) {
+    if (op.kind != Kind::split) continue;
+    const int then = excess(performed(m, op).valences);
+    if (then < now) better.emplace(then, op);
+  }
+  return std::any_of(better.begin(), better.end(), [&m](const auto& step) {
+    return reducible_by_splits(performed(m, step.second).mesh, step.first);
+  });
+}
+
+}  // namespace
+
+Judgement judge_single_vertex_operations(const Study& s) {
+  const Region* region = neighbourhood(s);
+  if (region == nullptr || valence_of(s) == 4) return not_applicable();
+  Judgement j;
+  const VertexId v = mesh::irregular_vertices(region->mesh)[0];
+  for (const BasicOperation& op : all_operations(region->mesh)) {
+    const auto changed = mesh::changed_vertices(region->mesh, op);
+    if (std::find(changed.begin(), changed.end(), v) == changed.end()) continue;
+    ++j.checks;
+    if (performed(region->mesh, op).irregular.size() <= 1)
+      return violated(*region, mesh::to_string(op) + " does not increase the number of irregular vertices", j);
+  }
+  j.applies = j.checks > 0;
+  return j;
+}
+
+Judgement judge_valence_changes(const Study& s) {
+  const Region* region = sample(s);
+  if (region == nullptr) return not_applicable();
+  const QuadMesh& m = region->mesh;
+  Judgement j;
+  for (const BasicOperation& op : all_operations(m)) {
+    ++j.checks;
+    QuadMesh after = m;
+    const mesh::Applied done = mesh::apply(after, op);
+    std::map<VertexId, int> expected;  // valence of every vertex afterwards
+    for (const VertexId v : m.vertices()) expected[v] = m.valence(v);
+    const auto c = mesh::changed_vertices(m, op);
+    if (is_flip(op.kind)) {
+      --expected[c[0]], --expected[c[1]], ++expected[c[2]], ++expected[c[3]];
+    } else if (op.kind == Kind::collapse) {
+      const VertexId keep = m.origin(op.h), gone = m.target(m.next(op.h));
+      expected[keep] += expected[gone] - 2;
+      expected.erase(gone);
+      --expected[m.target(op.h)], --expected[m.origin(m.previous(op.h))];
+    } else {
+      // Groups of edges strictly between the two of the path, counted on the mesh as it was.
+      int group = 0;
+      for (HalfEdgeId h = m.ccw(op.h); h != m.twin(op.last); h = m.ccw(h)) ++group;
+      const VertexId made = after.origin(QuadMesh::opposite(done.made));
+      expected[made] = group + 2;
+      expected[c[0]] = m.valence(c[0]) - 2 - group + 2;
+      ++expected[c[1]], ++expected[c[2]];
+    }
+    bool same = static_cast<int>(expected.size()) == after.vertex_count();
+    for (const auto& [v, valence] : expected) same = same && after.is_live(v) && after.valence(v) == valence;
+    if (!same) return violated(*region, mesh::to_string(op) + " changes other valences than section 4 says", j);
+  }
+  return j;
+}
+
+Judgement judge_inverses(const Study& s) {
+  const Region* region = sample(s);
+  if (region == nullptr || region->mesh.face_count() > kLargestNeighbourhood / 2) return not_applicable();
+  const QuadMesh& m = region->mesh;
+  const VertexId root = m.origin(region->root);
+  const std::vector<BasicOperation> operations = all_operations(m);
+  Judgement j;
+  for (const BasicOperation& op : operations) {
+    ++j.checks;
+    QuadMesh after = m;
+    const mesh::Applied done = mesh::apply(after, op);
+    // A flip keeps the number of faces, a split adds one, a collapse removes one: so flips and splits never make a
+    // collapse, flips and collapses never a split.
+    const int faces = op.kind == Kind::split ? 1 : op.kind == Kind::collapse ? -1 : 0;
+    if (after.face_count() - m.face_count() != faces)
+      return violated(*region, mesh::to_string(op) + " makes a wrong number of faces", j);
+    const Kind inverse = op.kind == Kind::split      ? Kind::collapse
+                         : op.kind == Kind::collapse ? Kind::split
+                         : op.kind == Kind::flip_cw  ? Kind::flip_ccw
+                                                     : Kind::flip_cw;
+    QuadMesh back = after;
+    if (done.inverse.kind != inverse || mesh::apply(back, done.inverse).refusal != Refusal::none || !(back == m)) {
+      return violated(*region, mesh::to_string(op) + " has no inverse of the other kind", j);
+    }
+    if (!is_flip(op.kind)) continue;
+    // One split at an end of the edge and one collapse make the flip.
+    const std::string target = mesh::signature(after, after.out(root));
+    bool found = false;
+    for (const BasicOperation& first : operations) {
+      if (found || first.kind != Kind::split ||
+          (m.origin(first.h) != m.origin(op.h) && m.origin(first.h) != m.target(op.h)))
+        continue;
+      QuadMesh halfway = m;
+      const HalfEdgeId made = mesh::apply(halfway, first).made;
+      for (const VertexId v : halfway.corners(QuadMesh::face(made))) {
+        halfway.for_each_out(v, [&](HalfEdgeId h) {
+          for (const HalfEdgeId corner : {h, QuadMesh::next(h)}) {
+            QuadMesh result = halfway;
+            if (found || mesh::collapse(result, corner) != Refusal::none) continue;
+            found = mesh::signature(result, result.out(root)) == target;
+          }
+        });
+      }
+    }
+    if (!found) return violated(*region, mesh::to_string(op) + " is no split and collapse", j);
+  }
+  return j;
+}
+
+Judgement judge_adjacent_pair(const Study& s) {
+  Judgement j;
+  for (std::size_t i = 0; is_quad(s) && i < s.found.nodes.size() && !j.violation; ++i) {
+    const auto& node = s.found.nodes[i];
+    const theory::Configuration& c = node.reading.configuration;
+    if (c.d1() + c.d2() != 1 || c.parameters.e.minCoeff() < 2) continue;
+    ++j.checks;
+    // Results that hold one adjacent 3-5 pair and nothing else, by kind, each mesh once.
+    std::map<Kind, std::set<std::string>> results;
+    for (const BasicOperation& op : all_operations(node.region.mesh)) {
+      const Result r = performed(node.region.mesh, op);
+      if (r.valences != std::multiset<int>{3, 5} || !r.mesh.adjacent(r.irregular[0], r.irregular[1])) continue;
+      results[is_flip(op.kind) ? Kind::flip_ccw : op.kind].insert(mesh::signature(r.mesh, node.region.root));
+    }
+    const auto number = [&results](Kind kind) { return results[kind].size(); };
+    if (number(Kind::collapse) != 2 || number(Kind::split) != 2 || number(Kind::flip_ccw) != 2) {
+      j.violation =
+          at_node(s, i,
+                  std::to_string(number(Kind::collapse)) + " collapses, " + std::to_string(number(Kind::split)) +
+                      " splits and " + std::to_string(number(Kind::flip_ccw)) +
+                      " flips move the adjacent pair, not two of each");
+    }
+  }
+  j.applies = j.checks > 0;
+  return j;
+}
+
+Judgement judge_vertex_steps(const Study& s) {
+  const Region* region = neighbourhood(s);
+  const int valence = valence_of(s);
+  if (region == nullptr || (valence != 3 && valence != 5)) return not_applicable();
+  const QuadMesh& m = region->mesh;
+  const VertexId v = mesh::irregular_vertices(m)[0];
+  const Kind other_kind = valence == 3 ? Kind::collapse : Kind::split;
+  // Per neighbour n of v: operations after which n has v's valence and what else is irregular is one adjacent 3-5 pair.
+  std::map<VertexId, std::map<bool, int>> ways;
+  for (const BasicOperation& op : all_operations(m)) {
+    const Result r = performed(m, op);
+    std::multiset<int> expected{3, 5, valence};
+    if (r.valences != expected || (!is_flip(op.kind) && op.kind != other_kind)) continue;
+    for (const VertexId n : m.neighbours(v)) {
+      if (!r.mesh.is_live(n) || r.mesh.valence(n) != valence) continue;
+      std::vector<VertexId> rest;
+      for (const VertexId w : r.irregular) {
+        if (w != n) rest.push_back(w);
+      }
+      if (rest.size() == 2 && r.mesh.valence(rest[0]) + r.mesh.valence(rest[1]) == 8 &&
+          r.mesh.adjacent(rest[0], rest[1]))
+        ++ways[n][is_flip(op.kind)];
+    }
+  }
+  Judgement j;
+  for (const VertexId n : m.neighbours(v)) {
+    ++j.checks;
+    if (ways[n][true] != 2 || ways[n][false] != 2) {
+      return violated(*region,
+                      "towards one neighbour " + std::to_string(ways[n][false]) +
+                          (valence == 3 ? " collapses and " : " splits and ") + std::to_string(ways[n][true]) +
+                          " flips, not two and two",
+                      j);
+    }
+  }
+  return j;
+}
+
+Judgement judge_quadruple(const Study& s) {
+  const Region* region = neighbourhood(s);
+  if (region == nullptr || valence_of(s) != 4) return not_applicable();
+  Judgement j;
+  for (const BasicOperation& op : all_operations(region->mesh)) {
+    if (!is_flip(op.kind)) continue;
+    ++j.checks;
+    QuadMesh after = region->mesh;
+    const mesh::Applied done = mesh::apply(after, op);
+    std::multiset<int> valences;
+    for (const VertexId v : mesh::irregular_vertices(after)) valences.insert(after.valence(v));
+    if (valences != std::multiset<int>{3, 3, 5, 5})
+      return violated(*region, mesh::to_string(op) + " does not make 3-3-5-5", j);
+    if (mesh::apply(after, done.inverse).refusal != Refusal::none || !mesh::irregular_vertices(after).empty()) {
+      return violated(*region, "the other flip does not remove 3-3-5-5", j);
+    }
+  }
+  j.applies = j.checks > 0;  // the smallest grids have no flip that spares the boundary
+  return j;
+}
+
+Judgement judge_type_changes(const Study& s) {
+  const Region* region = neighbourhood(s);
+  const int valence = valence_of(s);
+  if (region == nullptr || valence == 3 || valence == 4 || valence == 5) return not_applicable();
+  Judgement j;
+  ++j.checks;
+  if (valence == 2 || valence == 6) {
+    const Kind kind = valence == 2 ? Kind::collapse : Kind::split;
+    const std::multiset<int> goal = valence == 2 ? std::multiset<int>{3, 3} : std::multiset<int>{5, 5};
+    const auto operations = all_operations(region->mesh);
+    const bool found = std::any_of(operations.begin(), operations.end(), [&](const BasicOperation& op) {
+      return op.kind == kind && performed(region->mesh, op).valences == goal;
+    });
+    return found ? j : violated(*region, "no single operation parts the vertex in two", j);
+  }
+  return reducible_by_splits(region->mesh, excess({valence}))
+             ? j
+             : violated(*region, "no splits lead to v3s and v5s alone", j);
+}
+
+}  // namespace requad::verify

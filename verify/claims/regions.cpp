@@ -1,0 +1,174 @@
+// Claims about one region: Equation 1, Lemmas 7.8-7.10 and 7.12-7.14, Theorem 7.11.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "enumerate/generators.hpp"
+#include "mesh/topology/signature.hpp"
+#include "mesh/topology/validate.hpp"
+#include "verify/claims/judging.hpp"
+
+namespace requad::verify {
+
+using enumerate::FoundNode;
+using mesh::Region;
+using theory::Configuration;
+using theory::PairType;
+
+namespace {
+
+std::string check_gauss_bonnet(const FoundNode& node) {
+  const auto& m = node.region.mesh;
+  const int left = mesh::total_turn(m) + mesh::total_index(m);
+  const int right = 4 * mesh::euler_characteristic(m);
+  return left == right ? "" : "turns and indices sum to " + std::to_string(left) + ", not " + std::to_string(right);
+}
+
+// The faces that touch R_alpha (whose own faces are given), as a region of their own; the root at any corner.
+Region ring_of(const Region& region, const mesh::PairFrame& frame, const std::vector<mesh::FaceId>& r_alpha) {
+  const auto& m = region.mesh;
+  std::set<mesh::VertexId> core{frame.v1, frame.v2};
+  for (const mesh::FaceId f : r_alpha) {
+    for (const mesh::VertexId v : m.corners(f)) core.insert(v);
+  }
+  if (frame.degenerate()) {
+    mesh::HalfEdgeId h = frame.a == 0 ? frame.second_leg : frame.first_leg;
+    for (int i = 0; i < frame.a + frame.b; ++i, h = m.straight(h)) {
+      core.insert(m.target(h));
+      if (m.target(h) == frame.v2) break;
+    }
+  }
+  std::set<mesh::FaceId> faces;
+  for (const mesh::VertexId v : core) {
+    m.for_each_out(v, [&](mesh::HalfEdgeId h) { faces.insert(mesh::QuadMesh::face(h)); });
+  }
+  std::map<mesh::VertexId, int> number;
+  std::vector<std::array<int, 4>> corners;
+  for (const mesh::FaceId f : faces) {
+    std::array<int, 4> c{};
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = number.emplace(m.corners(f)[k], static_cast<int>(number.size())).first->second;
+    corners.push_back(c);
+  }
+  Region ring{mesh::QuadMesh::from_faces(static_cast<int>(number.size()), corners), {}};
+  for (const mesh::VertexId v : ring.mesh.vertices()) {
+    if (ring.mesh.is_boundary(v) && mesh::turn(ring.mesh, v) == 1) ring.root = ring.mesh.out(v);
+  }
+  return ring;
+}
+
+// Whether two cyclic sequences agree up to rotation.
+template <class A, class B>
+bool equal_up_to_rotation(const A& a, const B& b) {
+  const std::size_t n = a.size();
+  if (b.size() != n) return false;
+  for (std::size_t shift = 0; shift < n; ++shift) {
+    bool same = true;
+    for (std::size_t i = 0; i < n && same; ++i) same = a[i] == b[(i + shift) % n];
+    if (same) return true;
+  }
+  return false;
+}
+
+std::string check_lemma_8(PairType type, const FoundNode& node) {
+  const Configuration& c = node.reading.configuration;
+  if (c.merged()) return "";
+  const std::size_t expected = c.degenerate() ? 2 : 1;
+  if (node.reading.frames.size() != expected) {
+    return std::to_string(node.reading.frames.size()) + " rectangles lie between the pair, not " +
+           std::to_string(expected);
+  }
+  const mesh::PairFrame& frame = node.reading.frames[0].frame;
+  const auto faces = mesh::region_between(node.region.mesh, frame);
+  if (!faces || faces->size() != static_cast<std::size_t>(frame.a) * static_cast<std::size_t>(frame.b)) {
+    return "R_alpha is not a regular grid of its size";
+  }
+  const Region ring = ring_of(node.region, frame, *faces);
+  if (const std::string problem = mesh::region_problem(ring); !problem.empty())
+    return "the 1-ring of R_alpha: " + problem;
+  Configuration smallest = c;
+  smallest.parameters.e.setOnes();
+  const theory::IntegerVector sides = theory::PairSystem(type).side_lengths(smallest.parameters);
+  if (!equal_up_to_rotation(mesh::side_lengths(ring), std::vector<theory::Integer>(sides.begin(), sides.end()))) {
+    return "the 1-ring of R_alpha has other sides than all e_i = 1 give";
+  }
+  return "";
+}
+
+std::string check_lemma_9(const FoundNode& node) {
+  const int corners = static_cast<int>(mesh::side_lengths(node.region).size());
+  const int expected = 4 - mesh::total_index(node.region.mesh);
+  return corners == expected ? "" : std::to_string(corners) + " sides, not 4 - G = " + std::to_string(expected);
+}
+
+// Growing by strips: after each strip the sides obey Law 1; once every side has one the region is convex; in the end it
+// is the glued one, which moves found too.
+std::string check_growth(PairType type, const FoundNode& node) {
+  const Configuration& c = node.reading.configuration;
+  const theory::PairSystem system(type);
+  enumerate::StripGrowth growth(type, c.d1(), c.d2());
+  theory::StripParameters partial{c.d1(), c.d2(), theory::IntegerVector::Zero(type.side_count())};
+  while (partial.e != c.parameters.e) {
+    for (int label = 1; label <= type.side_count(); ++label) {
+      if (partial.e(label - 1) == c.parameters.e(label - 1)) continue;
+      growth.add_strip(label);
+      ++partial.e(label - 1);
+      const theory::IntegerVector expected = system.side_lengths(partial);
+      const std::vector<int> sides = growth.side_lengths();
+      if (!std::equal(sides.begin(), sides.end(), expected.begin(), expected.end()))
+        return "a strip gave other sides than Law 1";
+    }
+    if (growth.complete()) {
+      const Region stage = growth.region(1);
+      if (const std::string problem = mesh::region_problem(stage); !problem.empty()) return "while growing: " + problem;
+    }
+  }
+  if (mesh::signature(enumerate::grow_region(type, c)) != node.signature) return "grown by strips it is another mesh";
+  if (mesh::signature(enumerate::glue_region(type, c)) != node.signature)
+    return "glued from rectangles it is another mesh";
+  return "";
+}
+
+}  // namespace
+
+Judgement judge_gauss_bonnet(const Study& s) { return for_each_node(s, check_gauss_bonnet); }
+
+Judgement judge_lemma_8(const Study& s) {
+  return for_each_node(s, [&s](const FoundNode& node) { return check_lemma_8(s.region.type, node); });
+}
+
+Judgement judge_lemma_9(const Study& s) { return for_each_node(s, check_lemma_9); }
+
+Judgement judge_growth(const Study& s) {
+  return for_each_node(s, [&s](const FoundNode& node) { return check_growth(s.region.type, node); });
+}
+
+// Distinct configurations have distinct separatrix vectors. The vector is taken up to renaming: the least over the
+// frames and the order of the two vertices.
+Judgement judge_theorem_11(const Study& s) {
+  std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
+  Judgement j;
+  for (std::size_t i = 0; i < s.found.nodes.size() && !j.violation; ++i) {
+    const FoundNode& node = s.found.nodes[i];
+    if (!s.found.holds_pair(static_cast<int>(i))) continue;
+    std::vector<std::pair<int, int>> least;
+    for (const auto& labelled : node.reading.frames) {
+      for (const auto& frame : {labelled.frame, mesh::seen_from_other_end(node.region.mesh, labelled.frame)}) {
+        std::vector<std::pair<int, int>> vector;
+        for (const auto& at : enumerate::separatrix_vector(node.region, frame))
+          vector.emplace_back(at.side, at.distance);
+        if (least.empty() || vector < least) least = std::move(vector);
+      }
+    }
+    ++j.checks;
+    const auto [other, is_new] = seen.emplace(std::move(least), i);
+    if (!is_new) {
+      j.violation = at_node(s, i,
+                            "has the separatrix vector of " +
+                                theory::label(s.region.type, s.found.nodes[other->second].reading.configuration));
+    }
+  }
+  return j;
+}
+
+}  // namespace requad::verify

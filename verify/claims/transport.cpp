@@ -1,0 +1,184 @@
+// Claims about couriers that go their own way: round a feature (P4), and to a third irregular vertex (N3).
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "mesh/irregular/complementary_operations.hpp"
+#include "mesh/topology/separatrix.hpp"
+#include "mesh/topology/signature.hpp"
+#include "mesh/topology/validate.hpp"
+#include "verify/claims/judging.hpp"
+
+namespace requad::verify {
+
+using enumerate::FoundMove;
+using enumerate::FoundNode;
+using mesh::HalfEdgeId;
+using mesh::QuadMesh;
+using mesh::Refusal;
+using mesh::Region;
+using mesh::VertexId;
+
+namespace {
+
+// Larger regions repeat what smaller ones show.
+constexpr int kLargestDetour = 30;  // perimeter
+
+std::string signature_of(const Region& before, const QuadMesh& after) {
+  return mesh::signature(after, after.out(before.mesh.origin(before.root)));
+}
+
+bool holds_edge(const QuadMesh& m, const std::array<VertexId, 2>& edge) {
+  return m.is_live(edge[0]) && m.is_live(edge[1]) && m.adjacent(edge[0], edge[1]);
+}
+
+// An edge that a move removes, as far from the pair as there is one: where a feature would be in its way.
+std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const FoundMove& move) {
+  const QuadMesh& m = node.region.mesh;
+  QuadMesh after = m;
+  mesh::apply_all(after, move.script);
+  std::optional<std::array<VertexId, 2>> best;
+  int distance = 0;
+  for (const HalfEdgeId h : m.half_edges()) {
+    const VertexId a = m.origin(h), b = m.target(h);
+    if (b < a || m.is_boundary(h)) continue;
+    if (holds_edge(after, {a, b})) continue;
+    int d = m.vertex_capacity();
+    for (const VertexId x : {a, b}) {
+      for (const VertexId v : {move.move.frame.v1, move.move.frame.v2}) d = std::min(d, mesh::graph_distance(m, x, v));
+    }
+    if (d > distance) distance = d, best = {a, b};
+  }
+  return best;
+}
+
+// All departures of a courier from one vertex of the pair.
+std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
+  std::vector<HalfEdgeId> result;
+  m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(m.valence(v) == 3 ? h : m.twin(h)); });
+  return result;
+}
+
+}  // namespace
+
+// Each move is made again with a feature on an edge that the direct way removes. The direct way is then refused;
+// couriers sent in all directions go round or not at all, keep the feature, and make no other configurations than moves
+// make.
+Judgement judge_detour(const Study& s) {
+  if (s.found.nodes.empty() || s.region.sides.sum() > kLargestDetour) return not_applicable();
+  Judgement j;
+  std::set<std::string> known;
+  for (const FoundNode& node : s.found.nodes) known.insert(node.signature);
+  int detours = 0;
+  for (const FoundMove& move : s.found.moves) {
+    if (move.to < 0 || !s.found.holds_pair(move.from) || !s.found.holds_pair(move.to)) continue;
+    const FoundNode& node = s.found.nodes[static_cast<std::size_t>(move.from)];
+    const auto edge = edge_removed(node, move);
+    if (!edge) continue;
+    mesh::FeatureSet features;
+    features.insert((*edge)[0], (*edge)[1]);
+    ++j.checks;
+    QuadMesh m = node.region.mesh;
+    mesh::Editor editor(m, &features);
+    if (mesh::move_pair(editor, move.move).refusal == Refusal::none) {
+      if (holds_edge(m, *edge)) continue;
+      j.violation = at_move(s, move, "the direct way removes a feature edge");
+      return j;
+    }
+    if (!(m == node.region.mesh)) {
+      j.violation = at_move(s, move, "the direct way was refused, and changed the mesh");
+      return j;
+    }
+    mesh::Courier courier(editor);
+    bool arrived = false;
+    for (const VertexId p : {move.move.frame.v1, move.move.frame.v2}) {
+      const VertexId q = p == move.move.frame.v1 ? move.move.frame.v2 : move.move.frame.v1;
+      for (const HalfEdgeId start : departures(m, p)) {
+        if (courier.carry({start}, std::array{q}).refusal != Refusal::none) continue;
+        const std::string result = signature_of(node.region, m);
+        const bool kept = holds_edge(m, *edge);
+        arrived = arrived || result == s.found.nodes[static_cast<std::size_t>(move.to)].signature;
+        editor.roll_back();
+        if (!kept) j.violation = at_move(s, move, "a courier sent round the feature removed it");
+        if (known.count(result) == 0)
+          j.violation = at_move(s, move, "a courier sent round a feature made a configuration that no move reaches");
+        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "a courier's way was not taken back");
+        if (j.violation) return j;
+      }
+    }
+    if (arrived) ++detours;
+  }
+  if (j.checks > 0)
+    j.row = {{"sides", side_list(s)},
+             {"pair", s.region.type.name()},
+             {"blocked", j.checks},
+             {"made_round_the_feature", detours}};
+  j.applies = detours > 0;
+  return j;
+}
+
+// Every filling with three irregular vertices: is a v3 cancelled with a v5 by couriers that the third one takes, are
+// two equal ones merged by pair moves; against what the search finds with the valences that would be left.
+Judgement judge_three_vertices(const Study& s) {
+  if (s.region.family != Family::three_vertices || s.fillings.empty()) return not_applicable();
+  Judgement j;
+  const auto wrong = [&j](const Region& region, std::string what) {
+    j.violation = Violation{std::move(what), "", "", region};
+    return j;
+  };
+  const auto found = [](const std::optional<std::vector<std::string>>& list, const std::string& signature) {
+    return std::binary_search(list->begin(), list->end(), signature);
+  };
+  int cancelled = 0, merged = 0, couriers = 0;
+  for (const Region& region : s.fillings) {
+    const std::vector<VertexId> irregular = mesh::irregular_vertices(region.mesh);
+    bool cancels = false, merges = false;
+    for (const VertexId a : irregular) {
+      for (const VertexId b : irregular) {
+        const int la = region.mesh.valence(a), lb = region.mesh.valence(b);
+        if (a == b || la > lb || (la == lb && b < a)) continue;
+        ++j.checks;
+        QuadMesh m = region.mesh;
+        mesh::Editor editor(m);
+        mesh::Courier courier(editor);
+        bool done = false;
+        if (la == lb) {
+          done = mesh::merge_pair(editor, a, b).refusal == Refusal::none;
+          merges = merges || done;
+        } else {
+          std::vector<VertexId> third = irregular;
+          std::erase_if(third, [&](VertexId v) { return v == a || v == b; });
+          const mesh::Cancellation c = mesh::cancel_pair(editor, courier, a, b, third);
+          done = c.refusal == Refusal::none;
+          couriers += c.couriers;
+          cancels = cancels || done;
+        }
+        if (done) {
+          const std::string signature = signature_of(region, m);
+          if (!mesh::validate(m).empty()) return wrong(region, "the operation leaves an invalid mesh");
+          if (!found(la == lb ? s.searched_merged : s.searched, signature))
+            return wrong(region, "the operation makes a filling that the search does not know");
+        }
+        editor.roll_back();
+        if (!(m == region.mesh)) return wrong(region, "the operation was not taken back");
+      }
+    }
+    cancelled += cancels ? 1 : 0;
+    merged += merges ? 1 : 0;
+    if (cancels != !s.searched->empty()) {
+      return wrong(region, cancels ? "a pair was cancelled, but the search finds no filling with one vertex"
+                                   : "the search finds a filling with one vertex, but no pair was cancelled");
+    }
+  }
+  j.row = {{"sides", side_list(s)},
+           {"irregular", s.region.irregular},
+           {"fillings", s.fillings.size()},
+           {"with_one_vertex", s.searched->size()},
+           {"cancelled", cancelled},
+           {"couriers", couriers},
+           {"with_two_vertices", s.searched_merged->size()},
+           {"merged", merged}};
+  return j;
+}
+
+}  // namespace requad::verify
