@@ -141,48 +141,48 @@ BENCHMARK(list_pair_moves)->Apply(three_sizes);
 BENCHMARK(list_pair_moves)->Apply(longer_paths)->Complexity();
 
 // How long does a courier take that one v3 sends to the other over d x d quads, and to take all of it back?
-void courier_journey(benchmark::State& state, bool new_courier) {
+void transport(benchmark::State& state, bool new_each_time) {
   Scene scene(digon(state.range(0), state.range(1)));
   const auto pair = mesh::irregular_vertices(scene.mesh);
-  const mesh::CourierPlace start{scene.mesh.out(pair[0])};
+  const mesh::AdjacentPair start{scene.mesh.out(pair[0])};
   const std::array<VertexId, 1> targets{pair[1]};
-  mesh::Courier kept(scene.editor);
-  mesh::Transport journey;
+  mesh::PairTransport kept(scene.editor);
+  mesh::TransportReport report;
   for (auto _ : state) {
-    if (new_courier) {
-      mesh::Courier courier(scene.editor);
-      journey = courier.carry(start, targets);
+    if (new_each_time) {
+      mesh::PairTransport transport(scene.editor);
+      report = transport.carry(start, targets);
     } else {
-      journey = kept.carry(start, targets);
+      report = kept.carry(start, targets);
     }
-    require(journey.refusal == mesh::Refusal::none, "an operation was refused");
+    require(report.refusal == mesh::Refusal::none, "an operation was refused");
     scene.editor.roll_back();
   }
   count_quads(state, scene.mesh);
-  state.counters["operations"] = journey.steps;
-  state.counters["states"] = static_cast<double>(journey.states);
+  state.counters["operations"] = report.steps;
+  state.counters["states"] = static_cast<double>(report.states);
   state.SetComplexityN(state.range(1));
 }
-BENCHMARK_CAPTURE(courier_journey, kept, false)->Apply(three_sizes);
-BENCHMARK_CAPTURE(courier_journey, kept, false)->Apply(longer_paths)->Complexity();
+BENCHMARK_CAPTURE(transport, kept, false)->Apply(three_sizes);
+BENCHMARK_CAPTURE(transport, kept, false)->Apply(longer_paths)->Complexity();
 // And the first one of a courier, which gets its working memory then?
-BENCHMARK_CAPTURE(courier_journey, new, true)->Apply(three_sizes);
+BENCHMARK_CAPTURE(transport, new, true)->Apply(three_sizes);
 
 // How long does it take to cancel a v3 and a v5 that are some steps of a flip apart, so twice as many edges, with the
-// help of a second v3 beside the v5, and to take all of it back? Every edge is a courier, whose journey looks round a
+// help of a second v3 beside the v5, and to take all of it back? Every edge is a courier, whose report looks round a
 // disc.
 void cancel_and_roll_back(benchmark::State& state) {
   ThreeVertices start(state.range(0), state.range(1));
-  mesh::Courier courier(start.scene.editor);
+  mesh::PairTransport transport(start.scene.editor);
   mesh::Cancellation result;
   for (auto _ : state) {
-    result = cancel_pair(start.scene.editor, courier, start.alone, start.five, {start.three});
+    result = cancel_pair(start.scene.editor, transport, start.alone, start.five, {start.three});
     require(result.refusal == mesh::Refusal::none, "an operation was refused");
     start.scene.editor.roll_back();
   }
   count_quads(state, start.scene.mesh);
   state.counters["operations"] = result.steps;
-  state.counters["couriers"] = result.couriers;
+  state.counters["couriers"] = result.transports;
   state.SetComplexityN(state.range(1));
 }
 BENCHMARK(cancel_and_roll_back)->Apply(three_sizes);

@@ -64,19 +64,19 @@ bool SharedLimits::should_stop() {
 // Two edges that join the same vertices enclose a disk. If only one of its quads were at one of the two vertices, both
 // edges would be sides of that quad, and it would have the other vertex twice; so at least two are at each, and by
 // Gauss-Bonnet the irregular vertices inside have index 4 or more. A poorer budget needs no test for doubled edges.
-Filler::Filler(const std::vector<int>& irregular, SharedLimits& shared)
+BacktrackingSearch::BacktrackingSearch(const std::vector<int>& irregular, SharedLimits& shared)
     : budget_(irregular),
       shared_(&shared),
       pruning_(shared.pruning),
       face_limit_(shared.faces),
       edges_can_double_(budget_.most() >= 4) {}
 
-int Filler::add_vertex() {
+int BacktrackingSearch::add_vertex() {
   if (static_cast<std::size_t>(filling_.vertices) == latest_edge_.size()) latest_edge_.push_back(kNone);
   return filling_.vertices++;
 }
 
-void Filler::add_edge(int a, int b) {
+void BacktrackingSearch::add_edge(int a, int b) {
   if (!edges_can_double_) return;
   for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
     int& latest = latest_edge_[static_cast<std::size_t>(from)];
@@ -86,18 +86,18 @@ void Filler::add_edge(int a, int b) {
 }
 
 // Always false if the answer does not matter.
-bool Filler::adjacent(int a, int b) const {
+bool BacktrackingSearch::adjacent(int a, int b) const {
   int e = latest_edge_[static_cast<std::size_t>(a)];
   while (e != kNone && edges_[static_cast<std::size_t>(e)].to != b) e = edges_[static_cast<std::size_t>(e)].earlier;
   return e != kNone;
 }
 
-int Filler::add_node(int vertex, int need) {
+int BacktrackingSearch::add_node(int vertex, int need) {
   nodes_.push_back({vertex, need, kNone, kNone});
   return static_cast<int>(nodes_.size()) - 1;
 }
 
-bool Filler::open_hole(const std::vector<BoundaryVertex>& boundary) {
+bool BacktrackingSearch::open_hole(const std::vector<BoundaryVertex>& boundary) {
   Sums sums;
   const int first = static_cast<int>(nodes_.size());
   for (const auto& [vertex, need] : boundary) {
@@ -114,7 +114,7 @@ bool Filler::open_hole(const std::vector<BoundaryVertex>& boundary) {
   return true;
 }
 
-void Filler::push_hole(Sums sums, int start) {
+void BacktrackingSearch::push_hole(Sums sums, int start) {
   if (sums.empty()) return;
   holes_.push_back({sums, start, hole_});
   hole_ = static_cast<int>(holes_.size()) - 1;
@@ -123,18 +123,18 @@ void Filler::push_hole(Sums sums, int start) {
 // --- pruning ---------------------------------------------------------------------------------------------------------
 
 // A hole of n edges takes at least n/2 - 1 quads (Euler), and one in any case.
-int Filler::least_faces(Sums hole) const {
+int BacktrackingSearch::least_faces(Sums hole) const {
   if (hole.empty() || !pruning_.face_bound) return 0;
   return std::max(hole.length() / 2 - 1, 1);
 }
 
 // Discrete Gauss-Bonnet: the irregular vertices in a hole have index 4 - turn.
-bool Filler::fits_budget(Sums hole) const {
+bool BacktrackingSearch::fits_budget(Sums hole) const {
   return hole.empty() || !pruning_.gauss_bonnet || budget_.can_sum_to(4 - hole.turn());
 }
 
 // Whether the edge a, b may cut off the ring of these two nodes and those between: it has to be even, and the edge new.
-bool Filler::may_cut(int a, int b, Sums between) const {
+bool BacktrackingSearch::may_cut(int a, int b, Sums between) const {
   if (pruning_.parity && between.length() % 2 != 0) return false;
   return !adjacent(node(a).vertex, node(b).vertex);
 }
@@ -143,7 +143,7 @@ bool Filler::may_cut(int a, int b, Sums between) const {
 
 // The edge v -> w, as v. A corner w (one quad missing) leaves one vertex of its quad to be chosen, two corners none. So
 // two corners where the hole changed last, or the nearest corner; a pair of corners further off can wait.
-int Filler::choose_edge(const Hole& hole) const {
+int BacktrackingSearch::choose_edge(const Hole& hole) const {
   if (hole.sums.corners() == 0) return hole.node;
   int w = next(hole.node);
   for (int i = 0; i < kNear; ++i, w = previous(w)) {
@@ -156,7 +156,7 @@ int Filler::choose_edge(const Hole& hole) const {
   return previous(w);
 }
 
-void Filler::list_moves() {
+void BacktrackingSearch::list_moves() {
   const Hole hole = holes_[static_cast<std::size_t>(hole_)];
   const int v = choose_edge(hole);
   const int w = next(v);
@@ -174,7 +174,7 @@ void Filler::list_moves() {
 }
 
 // The corner y next to v, given the corner x next to w and the sums between w and x.
-void Filler::list_y(const Hole& hole, int v, int x, Sums before) {
+void BacktrackingSearch::list_y(const Hole& hole, int v, int x, Sums before) {
   const int w = next(v);
   if (previous(v) == x) return;  // a triangle would be left
   if (node(v).need == 1) {
@@ -213,7 +213,7 @@ void Filler::list_y(const Hole& hole, int v, int x, Sums before) {
 // Every way to be for a corner: the valences of a new one; for an old one the ways to share what it needs between the
 // holes on its two sides, at least one for each that there is.
 template <class Then>
-void Filler::for_each_corner(int n, bool outer, bool inner, Then&& then) {
+void BacktrackingSearch::for_each_corner(int n, bool outer, bool inner, Then&& then) {
   if (n == kNone) {
     then(Corner{kNone, kNone, 0, 3});
     for (int kind = 0; kind < budget_.kind_count(); ++kind) {
@@ -230,7 +230,7 @@ void Filler::for_each_corner(int n, bool outer, bool inner, Then&& then) {
   }
 }
 
-void Filler::list_shares(const Hole& hole, int v, int x, int y, Sums before, Sums after) {
+void BacktrackingSearch::list_shares(const Hole& hole, int v, int x, int y, Sums before, Sums after) {
   const int w = next(v);
   const bool old = x != kNone && y != kNone;
   const bool has_before = x != kNone && x != next(w);
@@ -265,7 +265,7 @@ void Filler::list_shares(const Hole& hole, int v, int x, int y, Sums before, Sum
 
 // --- placing quads and taking them back ------------------------------------------------------------------------------
 
-void Filler::place(const Move& move) {
+void BacktrackingSearch::place(const Move& move) {
   const int v = levels_.back().v;
   const int w = next(v);
   const auto size = [](const auto& stack) { return static_cast<int>(stack.size()); };
@@ -318,7 +318,7 @@ void Filler::place(const Move& move) {
       1 - least_faces(hole.sums) + least_faces(move.before) + least_faces(move.middle) + least_faces(move.after);
 }
 
-void Filler::take_back() {
+void BacktrackingSearch::take_back() {
   const Level& level = levels_.back();
   least_faces_ = level.least_faces;
   hole_ = level.hole;
@@ -345,12 +345,12 @@ void Filler::take_back() {
 
 // --- the search ------------------------------------------------------------------------------------------------------
 
-int Filler::left(std::size_t level) const {
+int BacktrackingSearch::left(std::size_t level) const {
   const auto end = level + 1 < levels_.size() ? levels_[level + 1].first_move : static_cast<int>(moves_.size());
   return end - levels_[level].first_move;
 }
 
-void Filler::make(int number, int left) {
+void BacktrackingSearch::make(int number, int left) {
   const int first = levels_.back().first_move;
   levels_.back().made = number;
   place(moves_[static_cast<std::size_t>(first + number)]);
@@ -359,7 +359,7 @@ void Filler::make(int number, int left) {
   if (hole_ != kNone) list_moves();
 }
 
-bool Filler::run(const Visit& visit, const Sharing& sharing) {
+bool BacktrackingSearch::run(const Visit& visit, const Sharing& sharing) {
   states_ = 0;
   for (;;) {
     if (const int count = left(levels_.size() - 1); count > 0) {
@@ -377,12 +377,12 @@ bool Filler::run(const Visit& visit, const Sharing& sharing) {
   }
 }
 
-void Filler::hand_over(const Sharing& sharing) {
+void BacktrackingSearch::hand_over(const Sharing& sharing) {
   std::size_t i = 0;
   while (i + 1 < levels_.size() && left(i) == 0) ++i;
   const int given = left(i);
   if (given == static_cast<int>(moves_.size())) return;  // then the two would only change places
-  Filler other = *this;
+  BacktrackingSearch other = *this;
   while (other.levels_.size() > i + 1) other.take_back();
   other.moves_.resize(static_cast<std::size_t>(given));
   moves_.erase(moves_.begin(), moves_.begin() + given);
@@ -390,14 +390,14 @@ void Filler::hand_over(const Sharing& sharing) {
   sharing.take(other);
 }
 
-Filler::Trail Filler::trail() const {
+BacktrackingSearch::Trail BacktrackingSearch::trail() const {
   Trail trail;
   for (std::size_t i = 0; i + 1 < levels_.size(); ++i) trail.insert(trail.end(), {levels_[i].made, left(i)});
   trail.push_back(left(levels_.size() - 1));
   return trail;
 }
 
-void Filler::go_to(const Trail& trail) {
+void BacktrackingSearch::go_to(const Trail& trail) {
   if (trail.size() % 2 == 0) throw std::invalid_argument("a trail has an odd number of numbers");
   const auto check = [](int number, int low, int high) {
     if (number < low || number > high) throw std::invalid_argument("no such move: " + std::to_string(number));

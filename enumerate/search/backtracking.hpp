@@ -85,19 +85,19 @@ struct SharedLimits {
 };
 
 // Copyable: a copy goes on from where the original stands.
-class Filler {
+class BacktrackingSearch {
  public:
   using Visit = std::function<void(const Filling&)>;
   // Takes work off a search that is under way, whenever it is wanted.
   struct Sharing {
     const std::atomic<bool>& wanted;
-    std::function<void(const Filler&)> take;
+    std::function<void(const BacktrackingSearch&)> take;
   };
   // For each level but the last the number of the move that was made and how many moves below it are left; then how many
   // are left at the last.
   using Trail = std::vector<int>;
 
-  Filler(const std::vector<int>& irregular, SharedLimits& shared);
+  BacktrackingSearch(const std::vector<int>& irregular, SharedLimits& shared);
 
   // Preparation: vertices, edges and faces that are there already, and one hole.
   int add_vertex();

@@ -29,15 +29,15 @@ constexpr std::size_t kMostBoundary = 10000;
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
 // The partial mesh that a search starts from, or none if the boundary has no filling at first sight.
-std::vector<Filler> starts_of(const SearchProblem& problem, SharedLimits& shared) {
+std::vector<BacktrackingSearch> starts_of(const SearchProblem& problem, SharedLimits& shared) {
   if (const std::string what = problem_with(problem); !what.empty()) throw std::invalid_argument(what);
   // The whole budget has to fit, not only a part of it.
   int index = 4;
   for (const int quads : problem.interior_quads) index -= 2 - quads;
   for (const int l : problem.irregular) index -= 4 - l;
   if (index != 0) return {};
-  Filler filler(problem.irregular, shared);
-  std::vector<Filler::BoundaryVertex> boundary;
+  BacktrackingSearch filler(problem.irregular, shared);
+  std::vector<BacktrackingSearch::BoundaryVertex> boundary;
   for (const int quads : problem.interior_quads) boundary.push_back({filler.add_vertex(), quads});
   const int length = static_cast<int>(boundary.size());
   for (int i = 0; i < length; ++i) filler.add_edge(i, (i + 1) % length);
@@ -57,7 +57,7 @@ struct Findings {
 
 // Follows all that is left, to the end or out of time, and returns the states. With a journal, first goes to where that
 // stands, and stops now and then to write on.
-std::int64_t follow(Frontier& frontier, SharedLimits& shared, int threads, const Filler::Visit& visit,
+std::int64_t follow(SharedSearch& frontier, SharedLimits& shared, int threads, const BacktrackingSearch::Visit& visit,
                     const std::optional<SearchJournal>& journal, const Findings& findings) {
   if (!journal) {
     frontier.follow(threads, visit);
@@ -196,7 +196,7 @@ mesh::Region region_of(const Filling& filling) {
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit) {
   SharedLimits shared(limits);
-  Frontier frontier(starts_of(problem, shared), shared);
+  SharedSearch frontier(starts_of(problem, shared), shared);
   SearchOutcome outcome;
   std::mutex mutex;
   frontier.follow(limits.threads, [&](const Filling& filling) {
@@ -216,7 +216,7 @@ SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
 CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures,
                              const std::optional<SearchJournal>& journal) {
   SharedLimits shared(limits);
-  Frontier frontier(starts_of(problem, shared), shared);
+  SharedSearch frontier(starts_of(problem, shared), shared);
   std::mutex mutex;
   Tally noted, since;  // in the journal, and since that was written
   const auto visit = [&](const Filling& filling) {
@@ -248,7 +248,7 @@ namespace {
 
 // The partial meshes that a search for spheres starts from: one quad 0 1 2 3 with the rarest valence at 0; the hole is
 // the outside, so its boundary runs 0 3 2 1. All valences of the other corners are tried.
-std::vector<Filler> sphere_starts(const std::vector<int>& irregular, SharedLimits& shared) {
+std::vector<BacktrackingSearch> sphere_starts(const std::vector<int>& irregular, SharedLimits& shared) {
   std::map<int, int> count;
   for (const int l : irregular) ++count[l];
   const int rarest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) {
@@ -256,7 +256,7 @@ std::vector<Filler> sphere_starts(const std::vector<int>& irregular, SharedLimit
                      })->first;
   std::vector<int> choices{4};
   for (const auto& [valence, number] : count) choices.push_back(valence);
-  std::vector<Filler> starts;
+  std::vector<BacktrackingSearch> starts;
   for (const int l1 : choices) {
     for (const int l2 : choices) {
       for (const int l3 : choices) {
@@ -269,7 +269,7 @@ std::vector<Filler> sphere_starts(const std::vector<int>& irregular, SharedLimit
           if (it != rest.end()) rest.erase(it);
         }
         if (!affordable) continue;
-        Filler filler(rest, shared);
+        BacktrackingSearch filler(rest, shared);
         std::array<int, 4> corner{};
         for (int& v : corner) v = filler.add_vertex();
         for (std::size_t i = 0; i < 4; ++i) filler.add_edge(corner[i], corner[(i + 1) % 4]);
@@ -323,7 +323,7 @@ SphereOutcome search_spheres(std::vector<int> irregular, int vertices, const Sea
 
   SharedLimits shared(limits);
   shared.faces = std::min(vertices - 2, kMostFaces);
-  Frontier frontier(sphere_starts(irregular, shared), shared);
+  SharedSearch frontier(sphere_starts(irregular, shared), shared);
   outcome.states = follow(frontier, shared, limits.threads, visit, journal, {news, take});
   outcome.signatures.assign(unoriented.begin(), unoriented.end());
   outcome.complete = frontier.empty();

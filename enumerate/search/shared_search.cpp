@@ -7,18 +7,19 @@
 
 namespace requad::enumerate {
 
-Frontier::Frontier(std::vector<Filler> starts, SharedLimits& shared) : starts_(std::move(starts)), shared_(shared) {
+SharedSearch::SharedSearch(std::vector<BacktrackingSearch> starts, SharedLimits& shared)
+    : starts_(std::move(starts)), shared_(shared) {
   for (std::size_t i = 0; i < starts_.size(); ++i) parts_.push_back({static_cast<int>(i), starts_[i]});
 }
 
-void Frontier::follow(int threads, const Filler::Visit& visit) {
+void SharedSearch::follow(int threads, const BacktrackingSearch::Visit& visit) {
   shared_.stop = false;
   states_ = 0;
   const auto workers = static_cast<std::size_t>(threads::thread_count(threads));
   threads::run_on_threads(workers, threads, [&](std::size_t) { work(visit); });
 }
 
-void Frontier::work(const Filler::Visit& visit) {
+void SharedSearch::work(const BacktrackingSearch::Visit& visit) {
   std::unique_lock lock(mutex_);
   while (!shared_.stop) {
     if (parts_.empty()) {
@@ -34,12 +35,12 @@ void Frontier::work(const Filler::Visit& visit) {
     tell_wanted();
     ++running_;
     lock.unlock();
-    const Filler::Sharing sharing{wanted_, [this, start = part.start](const Filler& given) {
-                                    const std::scoped_lock handing(mutex_);
-                                    parts_.push_back({start, given});
-                                    tell_wanted();
-                                    changed_.notify_one();
-                                  }};
+    const BacktrackingSearch::Sharing sharing{wanted_, [this, start = part.start](const BacktrackingSearch& given) {
+                                                const std::scoped_lock handing(mutex_);
+                                                parts_.push_back({start, given});
+                                                tell_wanted();
+                                                changed_.notify_one();
+                                              }};
     bool done = true;
     try {
       done = part.filler.run(visit, sharing);
@@ -58,7 +59,7 @@ void Frontier::work(const Filler::Visit& visit) {
   }
 }
 
-std::vector<std::vector<int>> Frontier::left() const {
+std::vector<std::vector<int>> SharedSearch::left() const {
   std::vector<std::vector<int>> left;
   for (const Part& part : parts_) {
     left.push_back(part.filler.trail());
@@ -67,7 +68,7 @@ std::vector<std::vector<int>> Frontier::left() const {
   return left;
 }
 
-void Frontier::set_left(const std::vector<std::vector<int>>& parts) {
+void SharedSearch::set_left(const std::vector<std::vector<int>>& parts) {
   parts_.clear();
   for (const std::vector<int>& numbers : parts) {
     if (numbers.empty() || numbers[0] < 0 || static_cast<std::size_t>(numbers[0]) >= starts_.size())

@@ -1,7 +1,7 @@
 // What is left of a search: fillers, each with work of its own, and the threads that do it.
 //
 // The parts of a search differ by orders of magnitude, so none is cut to size beforehand: whoever has nothing to do waits
-// for what the others hand over of theirs (filler.hpp).
+// for what the others hand over of theirs (backtracking.hpp).
 //
 // Internal: not installed.
 #pragma once
@@ -18,14 +18,14 @@
 
 namespace requad::enumerate {
 
-class Frontier {
+class SharedSearch {
  public:
   // The fillers that a search starts with, each after its open_hole().
-  Frontier(std::vector<Filler> starts, SharedLimits& shared);
+  SharedSearch(std::vector<BacktrackingSearch> starts, SharedLimits& shared);
 
   // Calls visit, from several threads at once unless `threads` is 1, until nothing is left or SharedLimits says stop. An
   // exception out of a visit ends all threads and comes through; what is left is unknown then.
-  void follow(int threads, const Filler::Visit& visit);
+  void follow(int threads, const BacktrackingSearch::Visit& visit);
   bool empty() const { return parts_.empty(); }
   // How many quads the last follow() placed.
   std::int64_t states() const { return states_; }
@@ -38,12 +38,12 @@ class Frontier {
  private:
   struct Part {
     int start;
-    Filler filler;
+    BacktrackingSearch filler;
   };
-  void work(const Filler::Visit& visit);
+  void work(const BacktrackingSearch::Visit& visit);
   void tell_wanted() { wanted_ = idle_ > parts_.size(); }
 
-  const std::vector<Filler> starts_;
+  const std::vector<BacktrackingSearch> starts_;
   SharedLimits& shared_;
   std::atomic<bool> wanted_{false};
   std::mutex mutex_;  // of all below

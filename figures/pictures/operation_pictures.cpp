@@ -258,15 +258,15 @@ Paint paint_adjacent_pair_moves() {
     const mesh::AtomicReport report = mesh::perform(editor, choice.operation);
     require(report.refusal);
     Panel result{with_mesh(start, m),
-                 {std::string(mesh::name(name.step.way)) +
+                 {std::string(mesh::name(name.step.kind)) +
                   (name.step.hand == mesh::Hand::left ? ", left hand" : ", right hand")}};
     result.grey = faces_at(m, {irregular_of(m, 3), irregular_of(m, 5)});
     if (editor.edits().back().made_face().valid()) result.made = {editor.edits().back().made_face()};
     editor.roll_back();
     const double column = name.step.hand == mesh::Hand::left ? 1 : -1;  // seen from the v3 down to the v5
-    const double row = name.step.way == mesh::CourierStep::Way::collapse ? 1
-                       : name.step.way == mesh::CourierStep::Way::flip   ? 0
-                                                                         : -1;
+    const double row = name.step.kind == mesh::TransportStep::Kind::collapse ? 1
+                       : name.step.kind == mesh::TransportStep::Kind::flip   ? 0
+                                                                             : -1;
     const Point centre(column * kX, row * kY);
     sheet.panels.push_back({result, centre, kUnit, angle});
     const Point step(0.5 * centre.x(), 0.5 * centre.y());
@@ -297,7 +297,7 @@ Paint paint_vertex_moves() {
       const mesh::AtomicReport report = mesh::perform(editor, choice.operation);
       require(report.refusal);
       Panel result{with_mesh(start, m),
-                   {std::string(mesh::name(name.step.way)) +
+                   {std::string(mesh::name(name.step.kind)) +
                     (name.step.hand == mesh::Hand::left ? ", left hand" : ", right hand")}};
       const mesh::Edit& edit = editor.edits().back();
       if (edit.made_face().valid()) result.made = {edit.made_face()};
@@ -426,13 +426,13 @@ Paint paint_detour() {
     const mesh::MoveReport report = mesh::move_pair(straight, move);
     if (report.refusal != mesh::Refusal::none) continue;
     const std::string wanted = mesh::signature(with_mesh(start, straight));
-    mesh::Courier courier(editor);
+    mesh::PairTransport transport(editor);
     for (const VertexId from : {five, three}) {
       const VertexId to = from == five ? three : five;
       std::vector<HalfEdgeId> departures;
       m.for_each_out(from, [&](HalfEdgeId h) { departures.push_back(m.valence(from) == 3 ? h : m.twin(h)); });
       for (const HalfEdgeId h : departures) {
-        if (courier.carry({h}, std::array{to}).refusal != mesh::Refusal::none) continue;
+        if (transport.carry({h}, std::array{to}).refusal != mesh::Refusal::none) continue;
         std::vector<BasicOperation> made;
         for (const mesh::Edit& edit : editor.edits()) made.push_back(edit.operation);
         if (mesh::signature(with_mesh(start, m)) == wanted && (operations.empty() || made.size() < operations.size()))

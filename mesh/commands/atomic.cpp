@@ -148,7 +148,7 @@ std::string usage() {
   for (const mesh::AtomicRule& r : mesh::atomic_rules()) {
     std::string ways;
     for (const auto way :
-         {mesh::CourierStep::Way::collapse, mesh::CourierStep::Way::flip, mesh::CourierStep::Way::split}) {
+         {mesh::TransportStep::Kind::collapse, mesh::TransportStep::Kind::flip, mesh::TransportStep::Kind::split}) {
       if (r.has(way)) ways += (ways.empty() ? "" : "|") + std::string(mesh::name(way));
     }
     const std::string turn = r.kind == mesh::AtomicKind::lower ? " K" : "";

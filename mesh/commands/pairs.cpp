@@ -66,16 +66,17 @@ Way try_step(Editor& editor, const PairMove& move) {
 }
 
 // Sends a courier from the pair's vertex `from` along an edge, for the other to take; the caller takes it back.
-Way try_courier(Session& session, mesh::Courier& courier, VertexId from, VertexId to, mesh::CourierPlace place) {
+Way try_transport(Session& session, mesh::PairTransport& transport, VertexId from, VertexId to,
+                  mesh::AdjacentPair place) {
   const QuadMesh& m = session.mesh();
   const int faces = m.face_count();
   const VertexId next = place.u(m) == from ? place.v(m) : place.u(m);
   Way way{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(next)), "",
           Refusal::none, 0, 0};
-  const mesh::Transport journey = courier.carry(place, std::array{to});
-  way.refusal = journey.refusal;
+  const mesh::TransportReport report = transport.carry(place, std::array{to});
+  way.refusal = report.refusal;
   if (way.refusal != Refusal::none) return way;
-  way.operations = journey.steps;
+  way.operations = report.steps;
   way.faces = m.face_count() - faces;
   way.effect = "the other moves by an edge too";
   return way;
@@ -101,18 +102,18 @@ Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
     editor.roll_back(mark);
   }
   if (!steps.empty()) return Refusal::none;
-  mesh::Courier courier(editor);
+  mesh::PairTransport transport(editor);
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
     // A v3 is a courier's u, a v5 its v.
-    std::vector<mesh::CourierPlace> places;
+    std::vector<mesh::AdjacentPair> places;
     for (const int sign : {-1, 1}) {
       sectors.for_each_edge(from, sign, [&, from = from](VertexId, HalfEdgeId at) {
         const bool at_u = m.origin(at) == from;
         places.push_back({at, (sign < 0) != at_u});
       });
     }
-    for (const mesh::CourierPlace place : places) {
-      if (visit(try_courier(session, courier, from, to, place))) return Refusal::none;
+    for (const mesh::AdjacentPair place : places) {
+      if (visit(try_transport(session, transport, from, to, place))) return Refusal::none;
       editor.roll_back(mark);
     }
   }
@@ -188,14 +189,14 @@ int cancel(const Options& options) {
     if (helpers.back() == three || helpers.back() == five)
       throw UsageError("cancel: --with " + word + " is one of the pair");
   }
-  mesh::Surroundings around;
+  mesh::BreadthFirstDistances around;
   const auto third = [&, a = three, b = five](VertexId v) {
     return v != a && v != b && session.editor().sectors().is_irregular(v);
   };
   if (helpers.empty()) helpers = nearest(session.editor(), around, three, kHelpers, third);
-  mesh::Courier courier(session.editor());
+  mesh::PairTransport transport(session.editor());
   const std::size_t mark = session.editor().mark();
-  const mesh::Cancellation result = mesh::cancel_pair(session.editor(), courier, three, five, helpers);
+  const mesh::Cancellation result = mesh::cancel_pair(session.editor(), transport, three, five, helpers);
   if (result.refusal != Refusal::none) return session.refused(wish, result.refusal, result.obstacles);
   session.smooth_since(mark);
   ordered_json moved = ordered_json::array();
@@ -204,8 +205,8 @@ int cancel(const Options& options) {
     moved.push_back({{"vertex", session.number(v)}, {"valence", m.valence(v)}});
     where += (where.empty() ? "" : ", ") + session.describe(v);
   }
-  return session.done({{"couriers", result.couriers}, {"operations", result.steps}, {"helpers", moved}},
-                      wish + " cancelled by " + counted(result.couriers, "courier", "couriers") + " in " +
+  return session.done({{"couriers", result.transports}, {"operations", result.steps}, {"helpers", moved}},
+                      wish + " cancelled by " + counted(result.transports, "courier", "couriers") + " in " +
                           counted(result.steps, "operation", "operations") + "; " +
                           (where.empty() ? "the helpers with them" : "helpers are now " + where) + "\n");
 }

@@ -79,7 +79,7 @@ int reduce(const Options& options) {
   return session.done({{"irregular", {{"before", report.before}, {"after", report.after}}},
                        {"left", left},
                        {"cancelled", report.cancelled},
-                       {"couriers", report.couriers},
+                       {"couriers", report.transports},
                        {"operations", report.operations},
                        {"measured", report.measured},
                        {"minimal", report.minimal},

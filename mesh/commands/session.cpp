@@ -113,8 +113,8 @@ void Session::smooth_since(std::size_t mark) {
   how.iterations = static_cast<int>(options_.integer("smooth", 4, 0, 100'000));
   if (how.iterations == 0) return;
   how.project_to = &surface();
-  const mesh::Footprint footprint = mesh::footprint_since(editor_, surroundings_, mark, kRings);
-  mesh::smooth_edit(editor_, footprint.near, how);
+  const mesh::AffectedRegion affected = mesh::affected_region_since(editor_, distances_, mark, kRings);
+  mesh::smooth_edit(editor_, affected.near, how);
 }
 
 int Session::done(ordered_json summary, const std::string& text) {

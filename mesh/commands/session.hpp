@@ -65,7 +65,7 @@ class Session {
   mesh::SectorPlan plan_;
   mesh::Editor editor_;
   std::optional<mesh::SurfaceIndex> surface_;
-  mesh::Surroundings surroundings_;
+  mesh::BreadthFirstDistances distances_;
 };
 
 }  // namespace requad::edit

@@ -4,9 +4,9 @@
 
 namespace requad::mesh {
 
-Footprint footprint_since(const Editor& editor, Surroundings& around, std::size_t mark, int rings) {
+AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances& around, std::size_t mark, int rings) {
   const QuadMesh& m = editor.mesh();
-  Footprint result;
+  AffectedRegion result;
   std::vector<VertexId> ids;
   for (std::size_t i = mark; i < editor.mark(); ++i) {
     const Edit& edit = editor.edits()[i];

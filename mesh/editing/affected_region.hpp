@@ -10,7 +10,7 @@
 
 namespace requad::mesh {
 
-struct Footprint {
+struct AffectedRegion {
   std::vector<VertexId> changed;  // live vertices whose valence changed or that were made, sorted
   std::vector<VertexId> removed;  // ids of vertices that were removed and not made again, sorted
   std::vector<VertexId> near;     // the changed ones and those within some rings of them, by distance
@@ -18,7 +18,8 @@ struct Footprint {
 };
 
 // Of the edits after the first `mark` ones, with this many rings. `near` holds fixed vertices too. O(its size).
-Footprint footprint_since(const Editor& editor, Surroundings& surroundings, std::size_t mark, int rings);
+AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances& surroundings, std::size_t mark,
+                                     int rings);
 
 // Smooths some vertices, as one edit; those that are fixed stay. `how.fixed` is overridden.
 void smooth_edit(Editor& editor, std::span<const VertexId> vertices, SmoothingOptions how);

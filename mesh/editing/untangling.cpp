@@ -25,7 +25,7 @@ Untangling untangle(Editor& editor, SmoothingOptions how) {
   constexpr int kWidest = 64;          // rings
   constexpr int kIterationsARing = 8;  // so that a change reaches across the neighbourhood
   const QuadMesh& m = editor.mesh();
-  Surroundings around;
+  BreadthFirstDistances around;
   Untangling result;
   std::vector<VertexId> corners = corners_of_inverted(m, *editor.positions(), result.before);
   result.after = result.before;

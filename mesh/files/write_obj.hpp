@@ -10,7 +10,7 @@
 namespace requad::mesh {
 
 // The live elements with these positions (by vertex slot): comment lines first, then vertices and faces in the order of
-// their ids, each face from its first corner, so that a mesh that was read (polygon_file.hpp) and not changed is written
+// their ids, each face from its first corner, so that a mesh that was read (polygon_mesh.hpp) and not changed is written
 // as it was. Coordinates have the fewest digits that read back as the same bits. O(V + F).
 std::string obj_text(const QuadMesh& mesh, const Positions& positions, const std::vector<std::string>& comments = {});
 

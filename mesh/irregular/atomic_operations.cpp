@@ -5,7 +5,7 @@
 
 namespace requad::mesh {
 
-using Way = CourierStep::Way;
+using StepKind = TransportStep::Kind;
 
 // --- rules and names -------------------------------------------------------------------------------------------------
 
@@ -57,11 +57,11 @@ bool is_type_change(AtomicKind kind) { return kind == AtomicKind::raise || kind 
 
 }  // namespace
 
-bool AtomicRule::has(Way way) const {
-  switch (way) {
-    case Way::collapse: return collapses;
-    case Way::flip: return flips;
-    case Way::split: return splits;
+bool AtomicRule::has(StepKind by) const {
+  switch (by) {
+    case StepKind::collapse: return collapses;
+    case StepKind::flip: return flips;
+    case StepKind::split: return splits;
   }
   return false;
 }
@@ -70,16 +70,16 @@ std::span<const AtomicRule> atomic_rules() { return kRules; }
 const AtomicRule& rule(AtomicKind kind) { return kRules[static_cast<std::size_t>(kind)]; }
 
 std::string to_string(const AtomicName& n) {
-  std::string text = std::string(rule(n.kind).name) + " " + name(n.step.way) + " " + name(n.step.hand);
+  std::string text = std::string(rule(n.kind).name) + " " + name(n.step.kind) + " " + name(n.step.hand);
   if (n.kind == AtomicKind::lower) text += " " + std::to_string(n.turn);
   return text;
 }
 
 std::optional<AtomicName> parse_atomic_name(std::string_view text) {
   for (const AtomicRule& r : kRules) {
-    for (const CourierStep step : kCourierSteps) {
+    for (const TransportStep step : kTransportSteps) {
       AtomicName candidate{r.kind, step, 0};
-      if (!r.has(step.way)) continue;
+      if (!r.has(step.kind)) continue;
       if (r.kind == AtomicKind::lower) {
         const std::string_view digits = text.substr(text.rfind(' ') + 1);
         std::from_chars(digits.data(), digits.data() + digits.size(), candidate.turn);
@@ -98,12 +98,12 @@ namespace {
 // An operation as a step of a courier. V is the courier's v in what moves a v5 or splits V, so the courier runs against
 // the direction in which the operation is seen.
 struct Sent {
-  HalfEdgeId courier;
-  CourierStep step;
+  HalfEdgeId pair;
+  TransportStep step;
 };
 bool runs_against(AtomicKind kind) { return kind == AtomicKind::move_v5 || kind == AtomicKind::lower; }
 Sent turned(const QuadMesh& m, AtomicKind kind, Sent s) {
-  return runs_against(kind) ? Sent{m.twin(s.courier), {s.step.way, other(s.step.hand)}} : s;
+  return runs_against(kind) ? Sent{m.twin(s.pair), {s.step.kind, other(s.step.hand)}} : s;
 }
 
 constexpr int kStraight = 2;  // the split's path takes the second edge, as a courier's does
@@ -119,9 +119,9 @@ Refusal why_not_by_valences(const QuadMesh& m, const AtomicName& name, const Sen
   if (name.kind == AtomicKind::raise) return m.valence(planned.next_v) < 3 ? Refusal::wrong_valences : Refusal::none;
   if (name.kind == AtomicKind::lower) return Refusal::none;  // any V; K is in range
   const std::array<int, 4>& wanted = rule(name.kind).valences;
-  if (m.valence(m.origin(sent.courier)) != wanted[0] || m.valence(m.target(sent.courier)) != wanted[1])
+  if (m.valence(m.origin(sent.pair)) != wanted[0] || m.valence(m.target(sent.pair)) != wanted[1])
     return Refusal::wrong_valences;
-  const bool next_u_fits = sent.step.way == Way::split || m.valence(planned.next_u) == wanted[2];
+  const bool next_u_fits = sent.step.kind == StepKind::split || m.valence(planned.next_u) == wanted[2];
   return next_u_fits && m.valence(planned.next_v) == wanted[3] ? Refusal::none : Refusal::irregular_in_the_way;
 }
 
@@ -131,16 +131,16 @@ Resolved resolve(const Editor& editor, const AtomicOperation& op) {
   if (!m.is_live(op.along)) return refused(Refusal::dead_element);
   if (m.is_boundary(m.origin(op.along)) || m.is_boundary(m.target(op.along))) return refused(Refusal::touches_boundary);
   const auto& [kind, step, turn] = op.name;
-  if (!rule(kind).has(step.way)) return refused(Refusal::no_such_step);
+  if (!rule(kind).has(step.kind)) return refused(Refusal::no_such_step);
   if (kind == AtomicKind::lower && (turn < 2 || turn >= m.valence(m.origin(op.along))))
     return refused(Refusal::wrong_valences);
 
   Resolved r;
   r.sent = turned(m, kind, {op.along, step});
-  r.planned = plan(m, CourierPlace{r.sent.courier}, r.sent.step, kind == AtomicKind::lower ? turn : kStraight);
-  const bool renames = (step.way == Way::collapse && kind != AtomicKind::raise) != op.swapped;
+  r.planned = plan(m, AdjacentPair{r.sent.pair}, r.sent.step, kind == AtomicKind::lower ? turn : kStraight);
+  const bool renames = (step.kind == StepKind::collapse && kind != AtomicKind::raise) != op.swapped;
   if (renames) r.planned = renamed(m, r.planned);
-  if (step.way == Way::split) r.planned.operation.corner = op.corner;
+  if (step.kind == StepKind::split) r.planned.operation.corner = op.corner;
 
   const bool ends_somewhere = r.planned.next_v.valid();  // the far side of a flipped edge may be outside
   for (const VertexId v : {r.planned.next_u, r.planned.next_v}) {
@@ -162,13 +162,13 @@ AtomicPlan plan(const Editor& editor, const AtomicOperation& operation) {
 
 namespace {
 
-Way inverse(Way way) {
-  switch (way) {
-    case Way::collapse: return Way::split;
-    case Way::flip: return Way::flip;
-    case Way::split: return Way::collapse;
+StepKind inverse(StepKind by) {
+  switch (by) {
+    case StepKind::collapse: return StepKind::split;
+    case StepKind::flip: return StepKind::flip;
+    case StepKind::split: return StepKind::collapse;
   }
-  return way;
+  return by;
 }
 
 }  // namespace
@@ -189,7 +189,7 @@ AtomicReport perform(Editor& editor, const AtomicOperation& op) {
   const int opposite_valence = kind == AtomicKind::raise ? m.valence(r.planned.next_v) : 0;
 
   const Applied done = editor.run(report.operation);
-  const bool splits = op.name.step.way == Way::split;
+  const bool splits = op.name.step.kind == StepKind::split;
   const VertexId made = splits ? m.origin(QuadMesh::opposite(done.made)) : VertexId();
   if (splits) report.changes.push_back({made, 0, 0});
   for (ValenceChange& c : report.changes) c.after = m.is_live(c.vertex) ? m.valence(c.vertex) : 0;
@@ -201,13 +201,13 @@ AtomicReport perform(Editor& editor, const AtomicOperation& op) {
   if (is_type_change(kind)) {
     // Still seen from V to W. V is what is not on the hand of a split.
     back.along = m.find_half_edge(splits && op.swapped ? made : kept, w);
-    back.name.step = {inverse(op.name.step.way), op.name.step.hand};
+    back.name.step = {inverse(op.name.step.kind), op.name.step.hand};
     back.name.turn = kind == AtomicKind::raise ? opposite_valence - 1 : 0;
   } else {
     // The courier looks back on the other hand to where it came from.
     const Sent sent =
-        turned(m, back.name.kind, {r.planned.next.forth(m), {inverse(r.sent.step.way), other(r.sent.step.hand)}});
-    back.along = sent.courier;
+        turned(m, back.name.kind, {r.planned.next.forth(m), {inverse(r.sent.step.kind), other(r.sent.step.hand)}});
+    back.along = sent.pair;
     back.name.step = sent.step;
   }
   return report;
@@ -235,24 +235,24 @@ class Lister {
       add_ways(AtomicKind::generate_3355, m_.twin(along));
     }
   }
-  void add_raise(HalfEdgeId along, Hand hand) { add({{AtomicKind::raise, {Way::collapse, hand}, 0}, along}); }
-  void add_lower(HalfEdgeId along, int turn) { add({{AtomicKind::lower, {Way::split, Hand::left}, turn}, along}); }
+  void add_raise(HalfEdgeId along, Hand hand) { add({{AtomicKind::raise, {StepKind::collapse, hand}, 0}, along}); }
+  void add_lower(HalfEdgeId along, int turn) { add({{AtomicKind::lower, {StepKind::split, Hand::left}, turn}, along}); }
 
   std::vector<AtomicChoice> take() { return std::move(choices_); }
 
  private:
   void add_ways(AtomicKind kind, HalfEdgeId along) {
-    for (const CourierStep step : kCourierSteps) {
-      if (rule(kind).has(step.way)) add({{kind, step, 0}, along});
+    for (const TransportStep step : kTransportSteps) {
+      if (rule(kind).has(step.kind)) add({{kind, step, 0}, along});
     }
   }
 
   // Each of the six steps is one of the kinds that are about an adjacent 3-5 pair: move-35 if it is refused as all.
   void add_pair(HalfEdgeId pair) {
-    for (const CourierStep step : kCourierSteps) {
+    for (const TransportStep step : kTransportSteps) {
       AtomicChoice best;
       for (const AtomicRule& r : kRules) {
-        if (r.valences[0] != 3 || r.valences[1] != 5 || !r.has(step.way)) continue;
+        if (r.valences[0] != 3 || r.valences[1] != 5 || !r.has(step.kind)) continue;
         const AtomicChoice choice = judged({{r.kind, step, 0}, pair});
         const bool fits = choice.refusal != Refusal::irregular_in_the_way;
         if (r.kind == AtomicKind::move_35 || fits) best = choice;
@@ -264,7 +264,7 @@ class Lister {
 
   AtomicChoice judged(AtomicOperation op) const {
     Refusal refusal = plan(editor_, op).refusal;
-    if (refusal == Refusal::breaks_feature && op.name.step.way != Way::flip) {
+    if (refusal == Refusal::breaks_feature && op.name.step.kind != StepKind::flip) {
       AtomicOperation other = op;
       other.swapped = true;
       if (plan(editor_, other).refusal == Refusal::none) return {other, Refusal::none};

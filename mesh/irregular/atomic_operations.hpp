@@ -1,7 +1,7 @@
 // The atomic semantic operations of section 5, by name, each with its inverse.
 //
 // Each is one basic operation with a meaning: it says what becomes of an irregular vertex or a pair. All of them are
-// steps of a courier u -> v (courier.hpp), told apart by the valences that the step finds. Let u' and v' be where the
+// steps of a courier u -> v (transport.hpp), told apart by the valences that the step finds. Let u' and v' be where the
 // courier goes, c the corner of the face opposite u; the step then adds (+1, -1, -1, +1) to the valences of u, v, u',
 // v'. A collapse merges u, a v3, into c = v'; a split makes u' as a v3 out of v.
 //
@@ -74,7 +74,7 @@ struct AtomicRule {
   bool splits;
   std::string_view source;  // the figure, or the paragraph of section 5
 
-  bool has(CourierStep::Way way) const;
+  bool has(TransportStep::Kind by) const;
 };
 // All of them, in the order of AtomicKind.
 std::span<const AtomicRule> atomic_rules();
@@ -83,11 +83,11 @@ const AtomicRule& rule(AtomicKind kind);
 // What an operation is, apart from its place.
 struct AtomicName {
   AtomicKind kind = AtomicKind::move_35;
-  CourierStep step;
+  TransportStep step;
   int turn = 0;  // K of lower, 0 for all others
 
   friend bool operator==(const AtomicName& a, const AtomicName& b) {
-    return a.kind == b.kind && a.step.way == b.step.way && a.step.hand == b.step.hand && a.turn == b.turn;
+    return a.kind == b.kind && a.step.kind == b.step.kind && a.step.hand == b.step.hand && a.turn == b.turn;
   }
 };
 std::string to_string(const AtomicName& name);

@@ -23,7 +23,7 @@ struct Route {
 
 // A shortest path from one vertex to another over regular, free vertices; its ends may run along a feature. It leaves
 // `from` by a sector whose excess has the sign given, and comes to `to` by one of the other sign.
-Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId to, int sign) {
+Route route(const Editor& editor, BreadthFirstDistances& around, VertexId from, VertexId to, int sign) {
   const QuadMesh& m = editor.mesh();
   const Sectors& sectors = editor.sectors();
   Route result;
@@ -52,56 +52,57 @@ Route route(const Editor& editor, Surroundings& around, VertexId from, VertexId 
 }
 
 // The helpers after one of them took a courier: it has moved, or is regular, or has become two.
-void update_helpers(const Editor& editor, const Transport& journey, std::vector<VertexId>& helpers) {
+void update_helpers(const Editor& editor, const TransportReport& report, std::vector<VertexId>& helpers) {
   const QuadMesh& m = editor.mesh();
   std::erase_if(helpers, [&](VertexId v) { return !m.is_live(v) || !editor.sectors().is_irregular(v); });
-  for (const VertexId v : {journey.courier.u(m), journey.courier.v(m)}) {
+  for (const VertexId v : {report.pair.u(m), report.pair.v(m)}) {
     if (editor.sectors().is_irregular(v) && !contains(helpers, v)) helpers.push_back(v);
   }
 }
 
 // In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.
-struct Manner {
+struct CancellationOrder {
   bool five_walks;  // first; the v3 otherwise
   bool may_cross;   // couriers may cross a helper
 };
-constexpr std::array<Manner, 4> kManners{{{false, false}, {true, false}, {false, true}, {true, true}}};
+constexpr std::array<CancellationOrder, 4> kCancellationOrders{
+    {{false, false}, {true, false}, {false, true}, {true, true}}};
 
-Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, VertexId five,
-                              std::vector<VertexId> helpers, Manner manner) {
+Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
+                             std::vector<VertexId> helpers, CancellationOrder order) {
   const QuadMesh& m = editor.mesh();
   Cancellation result;
-  Surroundings around;
-  int couriers_left = -1;
+  BreadthFirstDistances around;
+  int transports_left = -1;
   const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
   for (bool adjacent = false; !adjacent;) {
     const Route path = route(editor, around, three, five, -1);
     // Splits on the way may make the path longer, but not for ever.
-    if (couriers_left < 0) couriers_left = 3 * path.length + 8;
-    if (!path.first.valid() || couriers_left-- == 0) return refuse(Refusal::no_way);
+    if (transports_left < 0) transports_left = 3 * path.length + 8;
+    if (!path.first.valid() || transports_left-- == 0) return refuse(Refusal::no_way);
     if (helpers.empty()) return refuse(Refusal::lone_pair);
     adjacent = path.length == 1;
     // The v3 takes the path's first edge, or the v5 its last one.
-    Transport journey;
-    journey.refusal = Refusal::no_way;
-    for (const bool five_walks : {manner.five_walks, !manner.five_walks}) {
+    TransportReport report;
+    report.refusal = Refusal::no_way;
+    for (const bool five_walks : {order.five_walks, !order.five_walks}) {
       const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
       if (!edge.valid()) continue;
       // A courier runs from the v3, or from where the v5 goes.
       const bool from_origin = (m.origin(edge) == three) || (five_walks && m.origin(edge) != five);
-      const CourierPlace start{edge, !from_origin};
+      const AdjacentPair start{edge, !from_origin};
       if (!five_walks && editor.sectors().excess(start.at_u()) != -1) continue;
       const VertexId next = five_walks ? start.u(m) : start.v(m);
-      journey = courier.carry(start, helpers, manner.may_cross);
-      result.obstacles |= journey.obstacles;
-      if (journey.refusal != Refusal::none) continue;
+      report = transport.carry(start, helpers, order.may_cross);
+      result.obstacles |= report.obstacles;
+      if (report.refusal != Refusal::none) continue;
       (five_walks ? five : three) = next;
       break;
     }
-    if (journey.refusal != Refusal::none) return refuse(journey.refusal);
-    ++result.couriers;
-    result.steps += journey.steps;
-    update_helpers(editor, journey, helpers);
+    if (report.refusal != Refusal::none) return refuse(report.refusal);
+    ++result.transports;
+    result.steps += report.steps;
+    update_helpers(editor, report, helpers);
   }
   result.helpers = std::move(helpers);
   return result;
@@ -109,7 +110,7 @@ Cancellation cancel_in_manner(Editor& editor, Courier& courier, VertexId three, 
 
 }  // namespace
 
-Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
+Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers) {
   const Sectors& sectors = editor.sectors();
   Cancellation result;
@@ -121,8 +122,8 @@ Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, Verte
     result.refusal = Refusal::lone_pair;
   } else {
     const std::size_t start = editor.mark();
-    for (const Manner manner : kManners) {
-      result = cancel_in_manner(editor, courier, three, five, helpers, manner);
+    for (const CancellationOrder order : kCancellationOrders) {
+      result = cancel_in_order(editor, transport, three, five, helpers, order);
       if (result.refusal == Refusal::none) break;
       editor.roll_back(start);
     }

@@ -1,6 +1,6 @@
 // The complementary operations of section 8: cancel, merge, align, and changes of type.
 //
-// All of them are couriers sent from one irregular vertex to another (courier.hpp), or pair moves (pair_moves.hpp)
+// All of them are couriers sent from one irregular vertex to another (transport.hpp), or pair moves (pair_moves.hpp)
 // where the pair spans a rectangle. Each leaves the mesh as it was if it can not be finished, and then says why.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace requad::mesh {
 struct Cancellation {
   Refusal refusal = Refusal::none;
   Obstacles obstacles;  // in the way of couriers, where the refusal is no_way
-  int couriers = 0;
+  int transports = 0;
   int steps = 0;                  // operations
   std::vector<VertexId> helpers;  // where the vertices that took the couriers are now, those that are still irregular
 };
@@ -30,13 +30,13 @@ struct Cancellation {
 //
 // Refusals: wrong_valences; index for two of one sign, which can not cancel each other; lone_pair without helpers;
 // no_way if the v3 can not reach the v5 or a courier no helper. Cost: (distance of the pair) journeys.
-Cancellation cancel_pair(Editor& editor, Courier& courier, VertexId three, VertexId five,
+Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers);
 
 // The vertices nearest to some vertex for which wanted(v) holds, nearest first, at most `most`. Looks through vertices
 // that may change, no further than it must and not beyond fixed ones.
 template <class Wanted>
-std::vector<VertexId> nearest(const Editor& editor, Surroundings& surroundings, VertexId from, int most,
+std::vector<VertexId> nearest(const Editor& editor, BreadthFirstDistances& surroundings, VertexId from, int most,
                               Wanted&& wanted) {
   std::vector<VertexId> found;
   surroundings.measure(

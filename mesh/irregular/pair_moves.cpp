@@ -88,7 +88,7 @@ class OnEditor {
 // Basic operations in sequence, with the courier's place. After a refusal everything is a no-op until the roll-back.
 //
 // What may be irregular on the way: the pair, what the first operation changed, and the courier. Everything else that a
-// step changes is regular before the courier comes and when it has left (Law C1 of courier.hpp), so that is all there is
+// step changes is regular before the courier comes and when it has left (Law C1 of transport.hpp), so that is all there is
 // to keep in mind, and to look at in the end.
 template <class Performer>
 class Passage {
@@ -117,9 +117,9 @@ class Passage {
   VertexId v3() const { return at_.u(m_); }
   VertexId v5() const { return at_.v(m_); }
 
-  void split(Hand hand, int times = 1, int turn = 2) { step<CourierStep::Way::split>(hand, times, turn); }
-  void collapse(Hand hand, int times = 1) { step<CourierStep::Way::collapse>(hand, times); }
-  void flip(Hand hand, int times = 1) { step<CourierStep::Way::flip>(hand, times); }
+  void split(Hand hand, int times = 1, int turn = 2) { step<TransportStep::Kind::split>(hand, times, turn); }
+  void collapse(Hand hand, int times = 1) { step<TransportStep::Kind::collapse>(hand, times); }
+  void flip(Hand hand, int times = 1) { step<TransportStep::Kind::flip>(hand, times); }
 
   // A first operation, unless it is illegal, changes a valence on the boundary or that of an irregular vertex beside the
   // pair.
@@ -177,11 +177,11 @@ class Passage {
   }
 
   // The loop is made for each way and hand, so that the plan is but a few loads.
-  template <CourierStep::Way way, Hand hand>
+  template <TransportStep::Kind kind, Hand hand>
   void steps(int times, int turn) {
-    constexpr bool kSplits = way == CourierStep::Way::split;
+    constexpr bool kSplits = kind == TransportStep::Kind::split;
     for (int i = 0; i < times && !refused(); ++i) {
-      const PlannedStep planned = planned_step(m_, at_, {way, hand}, turn);
+      const PlannedStep planned = planned_step(m_, at_, {kind, hand}, turn);
       if ((!kSplits && !can_land(planned.at_u)) || !can_land(planned.at_v)) return;
       if (operations_ == 0) {
         const auto changed = why_not(m_, planned.operation) == Refusal::none ? changed_vertices(m_, planned.operation)
@@ -195,12 +195,12 @@ class Passage {
       at_ = planned.next;
     }
   }
-  template <CourierStep::Way way>
+  template <TransportStep::Kind kind>
   void step(Hand hand, int times, int turn = 2) {
     if (hand == Hand::left) {
-      steps<way, Hand::left>(times, turn);
+      steps<kind, Hand::left>(times, turn);
     } else {
-      steps<way, Hand::right>(times, turn);
+      steps<kind, Hand::right>(times, turn);
     }
   }
 
@@ -221,7 +221,7 @@ class Passage {
   Performer performer_;
   const QuadMesh& m_;
   Refusal refusal_ = Refusal::none;
-  CourierPlace at_;
+  AdjacentPair at_;
   int operations_ = 0;
   HalfEdgeId made_;           // by the last operation
   VertexId last_u_, last_v_;  // the courier before the last step

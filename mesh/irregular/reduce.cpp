@@ -32,7 +32,7 @@ struct Candidate {
 class Reducer {
  public:
   Reducer(Editor& editor, const ReduceOptions& options)
-      : editor_(editor), m_(editor.mesh()), options_(options), courier_(editor) {
+      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor) {
     smoothing_.iterations = options.smoothing_iterations;
     smoothing_.weights = SmoothingWeights::uniform;
     smoothing_.project_to = options.surface;
@@ -105,12 +105,12 @@ class Reducer {
     const std::size_t mark = editor_.mark();
     const auto helpers =
         nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
-    last_ = cancel_pair(editor_, courier_, three, five, helpers);
+    last_ = cancel_pair(editor_, transport_, three, five, helpers);
     if (last_.refusal != Refusal::none) {
       ++report_.refusals[last_.refusal];
       return false;
     }
-    footprint_ = footprint_since(editor_, around_, mark, kRings + 1);
+    footprint_ = affected_region_since(editor_, around_, mark, kRings + 1);
     smooth_edit(editor_, std::span(footprint_.near).first(footprint_.inner), smoothing_);
     if (deviation() > options_.max_deviation && options_.max_deviation >= 0) {
       ++report_.too_far;
@@ -177,7 +177,7 @@ class Reducer {
       return false;
     }
     ++report_.cancelled;
-    report_.couriers += last_.couriers;
+    report_.transports += last_.transports;
     report_.operations += last_.steps;
     for (const VertexId v : footprint_.removed) remember(v);
     for (const VertexId v : footprint_.near) remember(v);
@@ -189,13 +189,13 @@ class Reducer {
   Editor& editor_;
   const QuadMesh& m_;
   const ReduceOptions& options_;
-  Courier courier_;
-  Surroundings around_;
+  PairTransport transport_;
+  BreadthFirstDistances around_;
   SmoothingOptions smoothing_;
   std::priority_queue<Candidate> queue_;
   ReduceReport report_;
   Cancellation last_;            // of make()
-  Footprint footprint_;          // of make()
+  AffectedRegion footprint_;     // of make()
   std::vector<double> values_;   // by vertex slot, of the mesh after the last cancellation
   std::vector<bool> irregular_;  // likewise
 };

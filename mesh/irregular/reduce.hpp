@@ -1,6 +1,6 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
-// Again and again the cheapest cancellation of a v3 and a v5 (complementary.hpp) is made, and the neighbourhood
+// Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and the neighbourhood
 // smoothed. A candidate is a pair of near vertices of opposite index with the nearest irregular vertices as helpers.
 // Its cost is measured by making it, smoothing included, and taking it back. Costs are kept in a priority queue; after
 // each cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may
@@ -50,7 +50,7 @@ struct ReduceReport {
   int after = 0;
   int parted = 0;     // operations that parted vertices of valence 2 or more than 5
   int cancelled = 0;  // cancellations
-  int couriers = 0;
+  int transports = 0;
   int operations = 0;
   int measured = 0;                 // cancellations made to measure their cost
   bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)

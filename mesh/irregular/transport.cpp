@@ -6,17 +6,17 @@
 
 namespace requad::mesh {
 
-const char* name(CourierStep::Way way) {
-  switch (way) {
-    case CourierStep::Way::collapse: return "collapse";
-    case CourierStep::Way::flip: return "flip";
-    case CourierStep::Way::split: return "split";
+const char* name(TransportStep::Kind kind) {
+  switch (kind) {
+    case TransportStep::Kind::collapse: return "collapse";
+    case TransportStep::Kind::flip: return "flip";
+    case TransportStep::Kind::split: return "split";
   }
   return "";
 }
 
-PlannedStep plan(const QuadMesh& m, CourierPlace courier, CourierStep step, int turn) {
-  return planned_step(m, courier, step, turn);
+PlannedStep plan(const QuadMesh& m, AdjacentPair pair, TransportStep step, int turn) {
+  return planned_step(m, pair, step, turn);
 }
 
 PlannedStep renamed(const QuadMesh& m, const PlannedStep& step) {
@@ -60,7 +60,7 @@ enum class Landing { refused, regular, absorbed, crossed };
 // further, so that small detours are measured too. Couriers cross no feature, so distances end there. A target on a
 // feature may have no edge inside its patch, but a split beside it lets it take a courier all the same (Figure 18):
 // there the corners of its sector count as the target.
-void Courier::measure_distances(std::span<const VertexId> targets, CourierPlace start) {
+void PairTransport::measure_distances(std::span<const VertexId> targets, AdjacentPair start) {
   constexpr int kMargin = 2;
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
@@ -77,23 +77,23 @@ void Courier::measure_distances(std::span<const VertexId> targets, CourierPlace 
   const VertexId u = start.u(m);
   const VertexId v = start.v(m);
   int last = -1;  // distances beyond this one are not needed; -1: not known yet
-  surroundings_.measure(
+  distances_.measure(
       m, sources_, [&](VertexId x) { return sectors.may_change(x); },
       [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); },
       [&](VertexId, int d) {
         farthest_ = d;
-        if (last < 0 && surroundings_.distance(u) >= 0 && surroundings_.distance(v) >= 0) last = d + kMargin;
+        if (last < 0 && distances_.distance(u) >= 0 && distances_.distance(v) >= 0) last = d + kMargin;
         return last >= 0 && d >= last;
       });
 }
 
-int Courier::distance(VertexId v) const {
-  const int d = surroundings_.distance(v);
+int PairTransport::distance(VertexId v) const {
+  const int d = distances_.distance(v);
   return d >= 0 ? d : farthest_ + 1;
 }
 
 // Makes the mesh that of a node: back to where the paths part, then forward.
-void Courier::go_to(int node, std::size_t base) {
+void PairTransport::go_to(int node, std::size_t base) {
   std::vector<int> wanted;
   for (int n = node; n > 0; n = nodes_[static_cast<std::size_t>(n)].parent) wanted.push_back(n);
   std::reverse(wanted.begin(), wanted.end());
@@ -108,11 +108,11 @@ void Courier::go_to(int node, std::size_t base) {
 }
 
 // Queues every step that can be made from here.
-void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> targets, Obstacles& obstacles) {
+void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId> targets, Obstacles& obstacles) {
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
-  const VertexId u = courier.u(m);
-  const VertexId v = courier.v(m);
+  const VertexId u = pair.u(m);
+  const VertexId v = pair.v(m);
   const auto is_target = [&](VertexId x) { return std::find(targets.begin(), targets.end(), x) != targets.end(); };
   const auto meet = [&](VertexId x) { (m.is_boundary(x) ? obstacles.boundary : obstacles.features) = true; };
   // `at` names the vertex and its sector; gains: it becomes the courier's v, and has one quad more.
@@ -127,18 +127,18 @@ void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> t
     return !sectors.is_fixed(x) && e == (gains ? 1 : -1) ? Landing::crossed : Landing::refused;
   };
   const bool keeps_u = sectors.is_fixed(u);
-  const bool cut = sectors.is_cut(courier.edge);
-  const int eu = sectors.excess(courier.at_u());
-  const int ev = sectors.excess(courier.at_v());
-  for (const CourierStep step : kCourierSteps) {
-    const bool collapses = step.way == CourierStep::Way::collapse;
-    const bool splits = step.way == CourierStep::Way::split;
+  const bool cut = sectors.is_cut(pair.edge);
+  const int eu = sectors.excess(pair.at_u());
+  const int ev = sectors.excess(pair.at_v());
+  for (const TransportStep step : kTransportSteps) {
+    const bool collapses = step.kind == TransportStep::Kind::collapse;
+    const bool splits = step.kind == TransportStep::Kind::split;
     // On a cut edge there is one hand only.
-    if (cut && (step.hand == Hand::right) != courier.against) continue;
+    if (cut && (step.hand == Hand::right) != pair.against) continue;
     // A target that was crossed takes the courier on its far side: a v2 by the collapse, a v6 by the even split.
     const bool takes = (collapses && eu == -2 && is_target(u)) || (splits && ev == 2 && is_target(v));
     if ((collapses && eu != -1 && !takes) || (splits && ev < 0)) continue;
-    PlannedStep planned = plan(m, courier, step, splits && takes ? 3 : 2);
+    PlannedStep planned = plan(m, pair, step, splits && takes ? 3 : 2);
     const Landing at_u = splits ? Landing::regular : landing(planned.at_u, false);
     const Landing at_v = landing(planned.at_v, true);
     if (at_u == Landing::refused || at_v == Landing::refused || planned.next_u == planned.next_v) continue;
@@ -177,11 +177,11 @@ void Courier::expand(int node, CourierPlace courier, std::span<const VertexId> t
   }
 }
 
-Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, bool may_cross,
-                         std::int64_t most_states) {
+TransportReport PairTransport::carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross,
+                                     std::int64_t most_states) {
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
-  Transport result;
+  TransportReport result;
   result.refusal = Refusal::no_way;
   for (const VertexId x : {start.u(m), start.v(m)}) {
     if (!sectors.may_change(x)) (m.is_boundary(x) ? result.obstacles.boundary : result.obstacles.features) = true;
@@ -195,7 +195,7 @@ Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, 
   open_ = {};
   seen_.clear();
   measure_distances(targets, start);
-  const auto met = [this](VertexId v) { return surroundings_.distance(v) >= 0; };
+  const auto met = [this](VertexId v) { return distances_.distance(v) >= 0; };
   if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0, 0});
   while (!open_.empty() && result.states < most_states) {
     const int node = open_.top().node;
@@ -203,15 +203,15 @@ Transport Courier::carry(CourierPlace start, std::span<const VertexId> targets, 
     ++result.states;
     go_to(node, base);
     const Node& here = nodes_[static_cast<std::size_t>(node)];
-    const CourierPlace courier = node == 0 ? start : here.step.next;
+    const AdjacentPair pair = node == 0 ? start : here.step.next;
     if (here.absorbed > 0) {
       result.refusal = Refusal::none;
-      result.courier = courier;
+      result.pair = pair;
       result.absorbed_by = here.absorbed_by;
       result.steps = here.depth;
       return result;
     }
-    expand(node, courier, targets, result.obstacles);
+    expand(node, pair, targets, result.obstacles);
   }
   result.obstacles.limit = !open_.empty();
   editor_.roll_back(base);

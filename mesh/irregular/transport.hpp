@@ -5,7 +5,7 @@
 // an edge too. So every operation of the paper on two or more irregular vertices is couriers sent from one to another.
 //
 // A courier is written as the half-edge from its v3 to its v5. More generally the courier u -> v stands for "u has one
-// edge less, v one more than without it", whatever valences they have without it. That includes both ends of a journey:
+// edge less, v one more than without it", whatever valences they have without it. That includes both ends of a report:
 //   sent from a v3 at u      u -> v where v is regular: without the courier, the v3 would be at v
 //   sent from a v5 at v      u -> v where u is regular: without the courier, the v5 would be at u
 //   absorbed by a v3 at v    v becomes regular and u the v3;  a v2 becomes a v3 beside another
@@ -25,7 +25,7 @@
 // courier),
 //         lowers that of the next u by one and raises that of the next v by one, and changes no other. A collapse needs
 //         l(u) = 3 for that.
-// Law C2. So a journey over regular vertices leaves nothing but regular vertices behind.
+// Law C2. So a report over regular vertices leaves nothing but regular vertices behind.
 //
 // On features and boundaries "regular" means as many quads as the sector should have, and a v3 or v5 is a sector with
 // one less or one more (sectors.hpp): so a vertex that a feature holds can send and take couriers too, and keeps its
@@ -49,21 +49,21 @@ namespace requad::mesh {
 enum class Hand { left, right };
 inline Hand other(Hand hand) { return hand == Hand::left ? Hand::right : Hand::left; }
 
-struct CourierStep {
-  enum class Way { collapse, flip, split };
-  Way way = Way::collapse;
+struct TransportStep {
+  enum class Kind { collapse, flip, split };
+  Kind kind = Kind::collapse;
   Hand hand = Hand::left;
 };
-inline constexpr std::array<CourierStep, 6> kCourierSteps{{{CourierStep::Way::collapse, Hand::left},
-                                                           {CourierStep::Way::collapse, Hand::right},
-                                                           {CourierStep::Way::flip, Hand::left},
-                                                           {CourierStep::Way::flip, Hand::right},
-                                                           {CourierStep::Way::split, Hand::left},
-                                                           {CourierStep::Way::split, Hand::right}}};
-const char* name(CourierStep::Way way);  // "collapse", ...
+inline constexpr std::array<TransportStep, 6> kTransportSteps{{{TransportStep::Kind::collapse, Hand::left},
+                                                               {TransportStep::Kind::collapse, Hand::right},
+                                                               {TransportStep::Kind::flip, Hand::left},
+                                                               {TransportStep::Kind::flip, Hand::right},
+                                                               {TransportStep::Kind::split, Hand::left},
+                                                               {TransportStep::Kind::split, Hand::right}}};
+const char* name(TransportStep::Kind kind);  // "collapse", ...
 
 // Where a courier is: on an edge, and in the patch of one of the edge's faces. It runs along `edge` or against it.
-struct CourierPlace {
+struct AdjacentPair {
   HalfEdgeId edge;
   bool against = false;
 
@@ -85,16 +85,16 @@ struct PlannedStep {
   // Half-edges out of them before the operation, in the sectors that it changes; none where there is no such vertex.
   HalfEdgeId at_u;
   HalfEdgeId at_v;
-  CourierPlace next;  // after the operation
+  AdjacentPair next;  // after the operation
   // Of a collapse, which lays two edges on one: whether `next` is in the patch beyond the first depends on whether that
   // is a cut edge. If it is, the courier's place is `beside`, in the patch beyond the second edge.
   HalfEdgeId first;
-  CourierPlace beside;
+  AdjacentPair beside;
 };
 // Precondition: the courier's face on the step's hand exists. `turn` counts edges of v from u on that hand to z (split
 // only; 1 <= turn < l(v)). Where the boundary cuts off what the step needs, its operation has no half-edge and is
 // illegal.
-PlannedStep plan(const QuadMesh& mesh, CourierPlace courier, CourierStep step, int turn = 2);
+PlannedStep plan(const QuadMesh& mesh, AdjacentPair pair, TransportStep step, int turn = 2);
 // The same step with the other choice of the vertex that keeps its id: in a collapse c in place of u, in a split the
 // other part of v. The meshes differ by names only.
 PlannedStep renamed(const QuadMesh& mesh, const PlannedStep& step);
@@ -111,10 +111,10 @@ struct Obstacles {
 // "features, the boundary"; "" if there are none.
 std::string to_string(const Obstacles& obstacles);
 
-struct Transport {
+struct TransportReport {
   Refusal refusal = Refusal::none;  // no_way: there is no path, or none within the limit
   Obstacles obstacles;              // met on the search, whether it was refused or not
-  CourierPlace courier;             // where it was absorbed; u or v of it is the vertex that moved
+  AdjacentPair pair;                // where it was absorbed; u or v of it is the vertex that moved
   VertexId absorbed_by;             // that vertex, before it moved; its id still exists
   int steps = 0;
   std::int64_t states = 0;  // places of the courier that were looked at
@@ -123,19 +123,19 @@ struct Transport {
 // Carries couriers by shortest paths over regular vertices, round features, boundaries and irregular vertices
 // (Figure 7); of paths of one length it takes one that ends in a 3-3-5-5 removal. It looks ahead on the mesh itself, by
 // best-first search over sequences of steps, each of them checked; what it does not choose is taken back. It keeps its
-// working memory from one journey to the next.
+// working memory from one report to the next.
 //
 // Costs: states visited times the distance between consecutive ones; close to the length of the path where nothing is
 // in the way. Nothing grows with the mesh, but the memory: two integers for each vertex.
-class Courier {
+class PairTransport {
  public:
-  explicit Courier(Editor& editor) : editor_(editor) {}
+  explicit PairTransport(Editor& editor) : editor_(editor) {}
 
   // Carries the courier from `start` until one of the targets absorbs it. Changes no fixed vertex but as the editor's
   // sector plan allows, nor any irregular vertex but the targets, one of which it may cross. On refusal the mesh is as
   // before.
-  Transport carry(CourierPlace start, std::span<const VertexId> targets, bool may_cross = true,
-                  std::int64_t most_states = 4000);
+  TransportReport carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross = true,
+                        std::int64_t most_states = 4000);
 
  private:
   struct Node {
@@ -157,18 +157,18 @@ class Courier {
     }
   };
 
-  void measure_distances(std::span<const VertexId> targets, CourierPlace start);
+  void measure_distances(std::span<const VertexId> targets, AdjacentPair start);
   int distance(VertexId v) const;  // to the nearest target, at most farthest_ + 1
   void go_to(int node, std::size_t base);
-  void expand(int node, CourierPlace courier, std::span<const VertexId> targets, Obstacles& obstacles);
+  void expand(int node, AdjacentPair pair, std::span<const VertexId> targets, Obstacles& obstacles);
 
   Editor& editor_;
   std::vector<Node> nodes_;
   std::vector<int> path_;  // nodes performed on the mesh now, in order
   std::priority_queue<Open> open_;
   int most_crossings_ = 0;
-  Surroundings surroundings_;      // of the targets
-  std::vector<VertexId> sources_;  // of the distances
+  BreadthFirstDistances distances_;  // of the targets
+  std::vector<VertexId> sources_;    // of the distances
   int farthest_ = 0;
   std::unordered_set<std::int64_t> seen_;  // places already queued
 };

@@ -1,4 +1,4 @@
-// The plan of a courier's step, inline: for the moves of pairs, which make nothing but steps (courier.hpp says what they
+// The plan of a courier's step, inline: for the moves of pairs, which make nothing but steps (transport.hpp says what they
 // are; plan() there is this function).
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace requad::mesh {
 
-inline PlannedStep planned_step(const QuadMesh& m, CourierPlace courier, CourierStep step, int turn) {
+inline PlannedStep planned_step(const QuadMesh& m, AdjacentPair pair, TransportStep step, int turn) {
   const bool left = step.hand == Hand::left;
-  const HalfEdgeId forth = courier.forth(m);  // u -> v, used by the left hand
-  const HalfEdgeId back = courier.back(m);    // v -> u, used by the right hand
+  const HalfEdgeId forth = pair.forth(m);  // u -> v, used by the left hand
+  const HalfEdgeId back = pair.back(m);    // v -> u, used by the right hand
   PlannedStep result;
-  switch (step.way) {
-    case CourierStep::Way::collapse: {
+  switch (step.kind) {
+    case TransportStep::Kind::collapse: {
       const HalfEdgeId keep = left ? forth : QuadMesh::next(back);        // u -> v or u -> d
       const HalfEdgeId from_d = left ? QuadMesh::previous(forth) : keep;  // d -> u or u -> d
       const HalfEdgeId d_c = QuadMesh::opposite(left ? forth : back);     // c -> d or d -> c
@@ -24,7 +24,7 @@ inline PlannedStep planned_step(const QuadMesh& m, CourierPlace courier, Courier
       result.beside = {m.twin(from_d), left};
       break;
     }
-    case CourierStep::Way::flip: {
+    case TransportStep::Kind::flip: {
       const HalfEdgeId edge = left ? QuadMesh::next(forth) : QuadMesh::previous(back);  // v -> c or c -> v
       const HalfEdgeId across = m.twin(edge);
       result.operation = {left ? BasicOperation::Kind::flip_cw : BasicOperation::Kind::flip_ccw, edge, {}, 0};
@@ -33,7 +33,7 @@ inline PlannedStep planned_step(const QuadMesh& m, CourierPlace courier, Courier
       result.next = {edge, left};
       break;
     }
-    case CourierStep::Way::split: {
+    case TransportStep::Kind::split: {
       // v -> z on the left, z -> v on the right: the sector from u to z lies beside it.
       HalfEdgeId z = left ? QuadMesh::next(forth) : QuadMesh::previous(back);
       for (int k = 1; k < turn && z.valid(); ++k) {

@@ -41,8 +41,8 @@ enum class Refusal {
   irregular_in_the_way,  // the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
   breaks_feature,        // a feature edge would go (features.hpp)
   moves_feature,         // a vertex on a feature would move (script.hpp)
-  no_way,                // no path leads the courier to a vertex that can take it (courier.hpp)
-  // What no sequence of operations can do (complementary.hpp):
+  no_way,                // no path leads the courier to a vertex that can take it (transport.hpp)
+  // What no sequence of operations can do (complementary_operations.hpp):
   wrong_valences,  // the vertices are not of the valences that this is about
   no_rectangle,    // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
   odd_distance,    // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)

@@ -11,7 +11,7 @@
 
 namespace requad::mesh {
 
-class Surroundings {
+class BreadthFirstDistances {
  public:
   // Measures distances in edges from the sources. enters(v): whether v is measured at all; passes(v): whether the
   // search goes on from v (sources always do); done(v, d) is asked for each vertex in order of distance before it goes

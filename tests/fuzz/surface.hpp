@@ -1,4 +1,4 @@
-// What is checked of a mesh file that is read: laws F1 and F2 of polygon_file.hpp, and that what is written reads back.
+// What is checked of a mesh file that is read: laws F1 and F2 of polygon_mesh.hpp, and that what is written reads back.
 #pragma once
 
 #include <algorithm>

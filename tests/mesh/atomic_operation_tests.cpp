@@ -23,7 +23,7 @@ using namespace requad::mesh;
 namespace {
 
 using Kind = BasicOperation::Kind;
-using Way = CourierStep::Way;
+using StepKind = TransportStep::Kind;
 using Valences = std::multiset<int>;
 
 // One vertex of this valence in the middle of a region that is regular otherwise, four quads from every side.
@@ -76,7 +76,7 @@ const std::map<std::string, Stated> kStated{
     {"remove-3355 flip", {{3, 3, 5, 5}, {4, 4, 4, 4}, "generate-3355 flip"}},
 };
 
-std::string kind_and_way(const AtomicName& n) { return std::string(rule(n.kind).name) + " " + name(n.step.way); }
+std::string kind_and_way(const AtomicName& n) { return std::string(rule(n.kind).name) + " " + name(n.step.kind); }
 
 struct AtomicTally {
   std::map<std::string, int> performed;
@@ -195,7 +195,7 @@ void check_everywhere(const Region& region, AtomicTally& tally) {
   const auto check = [&](const std::vector<AtomicChoice>& list) {
     for (const AtomicChoice& choice : list) {
       check_choice(region, choice, tally);
-      if (choice.refusal != Refusal::none || choice.operation.name.step.way == Way::flip) continue;
+      if (choice.refusal != Refusal::none || choice.operation.name.step.kind == StepKind::flip) continue;
       AtomicChoice other = choice;
       other.operation.swapped = true;
       check_choice(region, other, tally);
@@ -253,11 +253,11 @@ TEST_CASE("atomic names are read as they are written", "[atomic]") {
   for (const AtomicRule& r : atomic_rules()) {
     CHECK(&rule(r.kind) == &r);
     CHECK(rule(r.inverse).inverse == r.kind);
-    for (const CourierStep step : kCourierSteps) {
+    for (const TransportStep step : kTransportSteps) {
       for (int turn = 2; turn < 12; ++turn) {
         const AtomicName n{r.kind, step, r.kind == AtomicKind::lower ? turn : 0};
         const std::string text = to_string(n);
-        if (!r.has(step.way)) {
+        if (!r.has(step.kind)) {
           CHECK_FALSE(parse_atomic_name(text));
           continue;
         }
@@ -329,20 +329,20 @@ TEST_CASE("section 5: a v3 moves in three directions, each by two collapses and 
     QuadMesh m = region.mesh;
     const VertexId v = vertex_of(m, valence);
     Editor editor(m);
-    const Way way = valence == 3 ? Way::collapse : Way::split;
-    std::map<VertexId, std::map<Way, int>> ways;
+    const StepKind way = valence == 3 ? StepKind::collapse : StepKind::split;
+    std::map<VertexId, std::map<StepKind, int>> ways;
     std::set<std::pair<VertexId, std::string>> listed;
     for (const AtomicChoice& choice : atomic_operations(editor, v)) {
       if (choice.operation.name.kind != (valence == 3 ? AtomicKind::move_v3 : AtomicKind::move_v5)) continue;
       const VertexId n = m.target(choice.operation.along);
       CHECK(choice.refusal == Refusal::none);
-      ++ways[n][choice.operation.name.step.way];
+      ++ways[n][choice.operation.name.step.kind];
       perform(editor, choice.operation);
       listed.insert({n, rel_boundary(m, region)});
       editor.roll_back();
     }
     CHECK(ways.size() == static_cast<std::size_t>(valence));
-    for (const auto& [n, count] : ways) CHECK(count == std::map<Way, int>{{way, 2}, {Way::flip, 2}});
+    for (const auto& [n, count] : ways) CHECK(count == std::map<StepKind, int>{{way, 2}, {StepKind::flip, 2}});
     CHECK(listed.size() == static_cast<std::size_t>(4 * valence));
 
     std::set<std::pair<VertexId, std::string>> found;
@@ -368,21 +368,23 @@ TEST_CASE("section 5: an adjacent 3-5 pair moves in six directions", "[atomic]")
   Editor editor(m);
   const VertexId three = vertex_of(m, 3), five = vertex_of(m, 5);
   for (const HalfEdgeId along : {m.find_half_edge(three, five), m.find_half_edge(five, three)}) {
-    std::map<Way, std::set<std::string>> listed;
+    std::map<StepKind, std::set<std::string>> listed;
     for (const AtomicChoice& choice : atomic_operations(editor, along)) {
       if (choice.operation.name.kind != AtomicKind::move_35) continue;
       CHECK(choice.refusal == Refusal::none);
       perform(editor, choice.operation);
-      listed[choice.operation.name.step.way].insert(rel_boundary(m, region));
+      listed[choice.operation.name.step.kind].insert(rel_boundary(m, region));
       editor.roll_back();
     }
-    std::map<Way, std::set<std::string>> found;
+    std::map<StepKind, std::set<std::string>> found;
     for (const BasicOperation& op : exhausted(m)) {
       QuadMesh after = m;
       apply(after, op);
       const auto pair = irregular_vertices(after);
       if (sorted_valences(after) != Valences{3, 5} || !after.adjacent(pair[0], pair[1])) continue;
-      const Way way = op.kind == Kind::collapse ? Way::collapse : op.kind == Kind::split ? Way::split : Way::flip;
+      const StepKind way = op.kind == Kind::collapse ? StepKind::collapse
+                           : op.kind == Kind::split  ? StepKind::split
+                                                     : StepKind::flip;
       found[way].insert(rel_boundary(after, region));
     }
     CHECK(listed == found);
@@ -489,7 +491,8 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
   CHECK(plan(editor, {*parse_atomic_name("generate-3355 flip left"), along}).refusal == Refusal::wrong_valences);
   CHECK(plan(editor, {*parse_atomic_name("lower split left 3"), along}).refusal == Refusal::wrong_valences);
   CHECK(plan(editor, {*parse_atomic_name("lower split left 2"), along}).refusal == Refusal::none);
-  CHECK(plan(editor, {{AtomicKind::move_v3, {Way::split, Hand::left}, 0}, along}).refusal == Refusal::no_such_step);
+  CHECK(plan(editor, {{AtomicKind::move_v3, {StepKind::split, Hand::left}, 0}, along}).refusal ==
+        Refusal::no_such_step);
   // With a v3 at the far corner of a face, a v3 can not become a v5 there.
   REQUIRE(perform(editor, {*parse_atomic_name("move-v3 flip left"), along}).refusal == Refusal::none);
   const HalfEdgeId back = m.find_half_edge(before.target(along), v);

@@ -96,22 +96,22 @@ TEST_CASE("Law C1: a step changes the valences of both places of the courier and
   REQUIRE(pair.size() == 2);
   const VertexId three = start.mesh.valence(pair[0]) == 3 ? pair[0] : pair[1];
   const VertexId five = three == pair[0] ? pair[1] : pair[0];
-  const HalfEdgeId courier = start.mesh.find_half_edge(three, five);
-  for (const CourierStep step : kCourierSteps) {
+  const HalfEdgeId edge = start.mesh.find_half_edge(three, five);
+  for (const TransportStep step : kTransportSteps) {
     for (const bool other_names : {false, true}) {
-      INFO(name(step.way) << (step.hand == Hand::left ? " left" : " right"));
+      INFO(name(step.kind) << (step.hand == Hand::left ? " left" : " right"));
       QuadMesh m = start.mesh;
-      PlannedStep planned = plan(m, {courier}, step);
+      PlannedStep planned = plan(m, {edge}, step);
       if (other_names) planned = renamed(m, planned);
       REQUIRE(apply(m, planned.operation).refusal == Refusal::none);
-      const CourierPlace now = planned.next;
+      const AdjacentPair now = planned.next;
       CHECK(irregular_valences(m) == std::map<int, int>{{3, 1}, {5, 1}});
       CHECK(m.valence(now.u(m)) == 3);
       CHECK(m.valence(now.v(m)) == 5);
-      if (step.way != CourierStep::Way::collapse || other_names) CHECK(now.v(m) == planned.next_v);
+      if (step.kind != TransportStep::Kind::collapse || other_names) CHECK(now.v(m) == planned.next_v);
       // Both choices of names make the same mesh.
       QuadMesh same = start.mesh;
-      apply(same, plan(same, {courier}, step).operation);
+      apply(same, plan(same, {edge}, step).operation);
       const VertexId root = start.mesh.origin(start.root);
       CHECK(signature(m, m.out(root)) == signature(same, same.out(root)));
     }
@@ -132,13 +132,13 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
     const Region& region = found.nodes[i].region;
     QuadMesh m = region.mesh;
     Editor editor(m);
-    Courier courier(editor);
+    PairTransport transport(editor);
     const auto pair = irregular_vertices(m);
     for (int k = 0; k < 2; ++k) {
       std::vector<HalfEdgeId> starts;
       m.for_each_out(pair[static_cast<std::size_t>(k)], [&](HalfEdgeId h) { starts.push_back(m.twin(h)); });
       for (const HalfEdgeId start : starts) {
-        if (courier.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
+        if (transport.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
           continue;
         CHECK(validate(m).empty());
         by_couriers[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
@@ -168,19 +168,19 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
     const Region region = enumerate::region_of(f);
     QuadMesh m = region.mesh;
     Editor editor(m);
-    Courier courier(editor);
+    PairTransport transport(editor);
     std::vector<VertexId> threes;
     VertexId five;
     for (const VertexId v : irregular_vertices(m)) {
       if (m.valence(v) == 5) five = v;
       if (m.valence(v) == 3) threes.push_back(v);
     }
-    CHECK(cancel_pair(editor, courier, threes[0], five, {}).refusal == Refusal::lone_pair);
-    CHECK(cancel_pair(editor, courier, five, threes[0], {threes[1]}).refusal == Refusal::wrong_valences);
+    CHECK(cancel_pair(editor, transport, threes[0], five, {}).refusal == Refusal::lone_pair);
+    CHECK(cancel_pair(editor, transport, five, threes[0], {threes[1]}).refusal == Refusal::wrong_valences);
     CHECK(m == region.mesh);
-    const Cancellation done = cancel_pair(editor, courier, threes[0], five, {threes[1]});
+    const Cancellation done = cancel_pair(editor, transport, threes[0], five, {threes[1]});
     REQUIRE(done.refusal == Refusal::none);
-    CHECK(done.couriers >= graph_distance(region.mesh, threes[0], five));
+    CHECK(done.transports >= graph_distance(region.mesh, threes[0], five));
     CHECK(irregular_valences(m) == std::map<int, int>{{3, 1}});
     CHECK(done.helpers == irregular_vertices(m));
     CHECK(m.vertex_count() - m.face_count() == region.mesh.vertex_count() - region.mesh.face_count());

@@ -129,7 +129,7 @@ struct Bench {
         positions(model.positions),
         surface(mesh, positions),
         editor(mesh, &features, &positions, &plan),
-        courier(editor) {
+        transport(editor) {
     for (const auto& [a, b] : sharp_edges(mesh, positions, kFeatureAngle)) features.insert(a, b);
     plan = plan_by_angles(mesh, features, positions);
   }
@@ -138,17 +138,17 @@ struct Bench {
   }
   // Sends the adjacent 3-5 pair to the target.
   void send(VertexId three, VertexId five, VertexId target) {
-    REQUIRE(courier.carry({mesh.find_half_edge(three, five), false}, std::array{target}).refusal == Refusal::none);
+    REQUIRE(transport.carry({mesh.find_half_edge(three, five), false}, std::array{target}).refusal == Refusal::none);
   }
   // The v5 takes a step, and the v3 the courier that this leaves behind.
   void step(VertexId five, VertexId to, VertexId three) {
-    REQUIRE(courier.carry({mesh.find_half_edge(five, to), true}, std::array{three}).refusal == Refusal::none);
+    REQUIRE(transport.carry({mesh.find_half_edge(five, to), true}, std::array{three}).refusal == Refusal::none);
   }
   Surface result() {
     SmoothingOptions how;
     how.project_to = &surface;
-    Surroundings around;
-    smooth_edit(editor, footprint_since(editor, around, 0, 2).near, how);
+    BreadthFirstDistances around;
+    smooth_edit(editor, affected_region_since(editor, around, 0, 2).near, how);
     untangle(editor, how);
     REQUIRE(validate(mesh).empty());
     return {mesh, positions, {}, {}};
@@ -160,7 +160,7 @@ struct Bench {
   FeatureSet features;
   SectorPlan plan;
   Editor editor;
-  Courier courier;
+  PairTransport transport;
 };
 
 using Kind = BasicOperation::Kind;

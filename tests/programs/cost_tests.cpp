@@ -149,22 +149,22 @@ TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs
 }
 
 TEST_CASE("the search allocates nothing once its stacks have their size", "[search][costs]") {
-  using enumerate::Filler;
+  using enumerate::BacktrackingSearch;
   const auto count = [](const std::vector<int>& sides, const std::vector<int>& irregular) {
     enumerate::SearchLimits limits;
     enumerate::SharedLimits shared(limits);
-    Filler filler(irregular, shared);
-    std::vector<Filler::BoundaryVertex> boundary;
+    BacktrackingSearch filler(irregular, shared);
+    std::vector<BacktrackingSearch::BoundaryVertex> boundary;
     for (const int quads : enumerate::search_problem(sides, irregular).interior_quads)
       boundary.push_back({filler.add_vertex(), quads});
     const int length = static_cast<int>(boundary.size());
     for (int i = 0; i < length; ++i) filler.add_edge(i, (i + 1) % length);
     REQUIRE(filler.open_hole(boundary));
     std::int64_t fillings = 0;
-    const Filler::Visit visit = [&fillings](const enumerate::Filling&) { ++fillings; };
+    const BacktrackingSearch::Visit visit = [&fillings](const enumerate::Filling&) { ++fillings; };
     const std::atomic<bool> wanted = false;
-    const Filler::Sharing sharing{wanted, {}};
-    const Filler::Trail start = filler.trail();
+    const BacktrackingSearch::Sharing sharing{wanted, {}};
+    const BacktrackingSearch::Trail start = filler.trail();
     REQUIRE(filler.run(visit, sharing));
     const std::int64_t states = filler.states();
     const std::int64_t found = fillings;

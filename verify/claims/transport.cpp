@@ -89,12 +89,12 @@ Judgement judge_detour(const Study& s) {
       j.violation = at_move(s, move, "the direct way was refused, and changed the mesh");
       return j;
     }
-    mesh::Courier courier(editor);
+    mesh::PairTransport transport(editor);
     bool arrived = false;
     for (const VertexId p : {move.move.frame.v1, move.move.frame.v2}) {
       const VertexId q = p == move.move.frame.v1 ? move.move.frame.v2 : move.move.frame.v1;
       for (const HalfEdgeId start : departures(m, p)) {
-        if (courier.carry({start}, std::array{q}).refusal != Refusal::none) continue;
+        if (transport.carry({start}, std::array{q}).refusal != Refusal::none) continue;
         const std::string result = signature_of(node.region, m);
         const bool kept = holds_edge(m, *edge);
         arrived = arrived || result == s.found.nodes[static_cast<std::size_t>(move.to)].signature;
@@ -129,7 +129,7 @@ Judgement judge_three_vertices(const Study& s) {
   const auto found = [](const std::optional<std::vector<std::string>>& list, const std::string& signature) {
     return std::binary_search(list->begin(), list->end(), signature);
   };
-  int cancelled = 0, merged = 0, couriers = 0;
+  int cancelled = 0, merged = 0, transports = 0;
   for (const Region& region : s.fillings) {
     const std::vector<VertexId> irregular = mesh::irregular_vertices(region.mesh);
     bool cancels = false, merges = false;
@@ -140,7 +140,7 @@ Judgement judge_three_vertices(const Study& s) {
         ++j.checks;
         QuadMesh m = region.mesh;
         mesh::Editor editor(m);
-        mesh::Courier courier(editor);
+        mesh::PairTransport transport(editor);
         bool done = false;
         if (la == lb) {
           done = mesh::merge_pair(editor, a, b).refusal == Refusal::none;
@@ -148,9 +148,9 @@ Judgement judge_three_vertices(const Study& s) {
         } else {
           std::vector<VertexId> third = irregular;
           std::erase_if(third, [&](VertexId v) { return v == a || v == b; });
-          const mesh::Cancellation c = mesh::cancel_pair(editor, courier, a, b, third);
+          const mesh::Cancellation c = mesh::cancel_pair(editor, transport, a, b, third);
           done = c.refusal == Refusal::none;
-          couriers += c.couriers;
+          transports += c.transports;
           cancels = cancels || done;
         }
         if (done) {
@@ -175,7 +175,7 @@ Judgement judge_three_vertices(const Study& s) {
            {"fillings", s.fillings.size()},
            {"with_one_vertex", s.searched->size()},
            {"cancelled", cancelled},
-           {"couriers", couriers},
+           {"couriers", transports},
            {"with_two_vertices", s.searched_merged->size()},
            {"merged", merged}};
   return j;
