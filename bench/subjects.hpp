@@ -127,11 +127,11 @@ struct RequadSubject {
   explicit RequadSubject(int n) : mesh(mesh::QuadMesh::from_faces(n * n, torus_faces(n))) {}
   Site site(int a, int b) const { return mesh.find_half_edge(mesh::VertexId(a), mesh::VertexId(b)); }
   Site flip(Site h) {
-    turn(h, mesh::Turn::counter_clockwise);
+    flip(h, mesh::Rotation::counter_clockwise);
     return mesh::QuadMesh::next(h);
   }
   Site flip_back(Site h) {
-    turn(h, mesh::Turn::clockwise);
+    flip(h, mesh::Rotation::clockwise);
     return mesh::QuadMesh::previous(h);
   }
   Undo collapse(Site h) {
@@ -156,11 +156,11 @@ struct RequadSubject {
   bool refused = false;
 
  private:
-  void turn(Site h, mesh::Turn direction) {
+  void flip(Site h, mesh::Rotation rotation) {
     if constexpr (kChecked) {
-      refused |= mesh::flip(mesh, h, direction) != mesh::Refusal::none;
+      refused |= mesh::flip(mesh, h, rotation) != mesh::Refusal::none;
     } else {
-      mesh::flip_unchecked(mesh, h, direction);
+      mesh::flip_unchecked(mesh, h, rotation);
     }
   }
 };

@@ -47,8 +47,8 @@ std::string to_string(const BasicOperation& op) {
 
 Refusal why_not(const QuadMesh& m, const BasicOperation& op) {
   switch (op.kind) {
-    case BasicOperation::Kind::flip_ccw: return why_not_flip(m, op.h, Turn::counter_clockwise);
-    case BasicOperation::Kind::flip_cw: return why_not_flip(m, op.h, Turn::clockwise);
+    case BasicOperation::Kind::flip_ccw: return why_not_flip(m, op.h, Rotation::counter_clockwise);
+    case BasicOperation::Kind::flip_cw: return why_not_flip(m, op.h, Rotation::clockwise);
     case BasicOperation::Kind::collapse: return why_not_collapse(m, op.h);
     case BasicOperation::Kind::split: return why_not_split(m, op.h, op.last);
   }
@@ -79,12 +79,12 @@ Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& op) {
   Applied done;
   switch (op.kind) {
     case Kind::flip_ccw:
-      flip_unchecked(mesh, op.h, Turn::counter_clockwise);
+      flip_unchecked(mesh, op.h, Rotation::counter_clockwise);
       done.made = QuadMesh::next(op.h);
       done.inverse = {Kind::flip_cw, done.made, {}, 0};
       break;
     case Kind::flip_cw:
-      flip_unchecked(mesh, op.h, Turn::clockwise);
+      flip_unchecked(mesh, op.h, Rotation::clockwise);
       done.made = QuadMesh::previous(op.h);
       done.inverse = {Kind::flip_ccw, done.made, {}, 0};
       break;

@@ -23,7 +23,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/topology/quad_mesh.hpp"
+#include "mesh/topology/surgery.hpp"
 
 namespace requad::mesh {
 
@@ -53,7 +53,7 @@ enum class Refusal {
 // One short clause, without full stop.
 std::string_view explain(Refusal refusal);
 
-enum class Turn { counter_clockwise, clockwise };
+enum class Rotation { counter_clockwise, clockwise };
 
 // Edge flip. The edge h = u -> v, between two quads that form a hexagon, turns by one corner of it:
 //
@@ -66,9 +66,9 @@ enum class Turn { counter_clockwise, clockwise };
 //
 // u and v lose an edge; p and r, or q and s, gain one. Faces keep their ids. Counter-clockwise, the edge is afterwards
 // next(h) in face(h); clockwise, previous(h).
-Refusal why_not_flip(const QuadMesh& mesh, HalfEdgeId h, Turn turn);
-Refusal flip(QuadMesh& mesh, HalfEdgeId h, Turn turn);
-void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Turn turn);
+Refusal why_not_flip(const QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
+Refusal flip(QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
+void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
 
 // Quad collapse. In the face of h = a -> b with corners a, b, c, d, vertex c merges into a; the face and c disappear.
 //
@@ -124,6 +124,87 @@ Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
 // not break a mesh. Throws std::logic_error if it is refused.
 void take_back(QuadMesh& mesh, const BasicOperation& inverse);
 
-}  // namespace requad::mesh
+// --- the bodies of the above, to be inlined -------------------------------------------------------------------------
+//
+// The time goes into memory. So a query reads the faces that the operation touches anyway, and as few others as it can:
+// the two faces at an edge show whether a valence is 2, and one walk both ways round a vertex (QuadMesh::joined) shows
+// whether an edge exists already.
 
-#include "mesh/topology/surgery.hpp"
+// Whether origin(h) is an interior vertex of valence 2, which cannot lose an edge.
+inline bool has_two_edges(const QuadMesh& m, HalfEdgeId h) {
+  const HalfEdgeId left = m.ccw(h);
+  return left.valid() && left == m.cw(h);
+}
+
+inline Refusal why_not_flip(const QuadMesh& m, HalfEdgeId h, Rotation rotation) {
+  if (!m.is_live(h)) return Refusal::dead_element;
+  const HalfEdgeId t = m.twin(h);
+  if (!t.valid()) return Refusal::boundary_edge;
+  // Ends on the boundary keep a face: the edge is not on it, so each has two.
+  if (has_two_edges(m, h) || has_two_edges(m, t)) return Refusal::valence_too_low;
+  // The edge's ends move along the hexagon, to the origins of x and y.
+  const bool ccw = rotation == Rotation::counter_clockwise;
+  const HalfEdgeId x = ccw ? QuadMesh::opposite(t) : QuadMesh::previous(h);
+  const HalfEdgeId y = ccw ? QuadMesh::opposite(h) : QuadMesh::previous(t);
+  if (m.origin(x) == m.origin(y) || m.joined(x, m.origin(y))) return Refusal::edge_exists;
+  return Refusal::none;
+}
+
+inline void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Rotation rotation) {
+  if (rotation == Rotation::counter_clockwise) {
+    MeshSurgery(mesh).flip_counter_clockwise(h);
+  } else {
+    MeshSurgery(mesh).flip_clockwise(h);
+  }
+}
+
+inline Refusal flip(QuadMesh& mesh, HalfEdgeId h, Rotation rotation) {
+  const Refusal refusal = why_not_flip(mesh, h, rotation);
+  if (refusal == Refusal::none) flip_unchecked(mesh, h, rotation);
+  return refusal;
+}
+
+inline Refusal why_not_collapse(const QuadMesh& m, HalfEdgeId h) {
+  if (!m.is_live(h)) return Refusal::dead_element;
+  const HalfEdgeId h2 = QuadMesh::opposite(h);  // c -> d
+  if (m.is_boundary(m.origin(h2))) return Refusal::boundary_corner;
+  // The edges at c are not on the boundary, so b and d keep a face.
+  if (has_two_edges(m, QuadMesh::next(h)) || has_two_edges(m, QuadMesh::previous(h))) return Refusal::valence_too_low;
+  // No neighbour of c but b and d is a or a neighbour of a.
+  const VertexId a = m.origin(h);
+  for (HalfEdgeId x = m.ccw(m.ccw(h2)); x != h2; x = m.ccw(x)) {
+    if (m.target(x) == a || m.joined(h, m.target(x))) return Refusal::edge_exists;
+  }
+  return Refusal::none;
+}
+
+inline void collapse_unchecked(QuadMesh& mesh, HalfEdgeId h) { MeshSurgery(mesh).collapse(h); }
+
+inline Refusal collapse(QuadMesh& mesh, HalfEdgeId h) {
+  const Refusal refusal = why_not_collapse(mesh, h);
+  if (refusal == Refusal::none) collapse_unchecked(mesh, h);
+  return refusal;
+}
+
+inline Refusal why_not_split(const QuadMesh& m, HalfEdgeId first, HalfEdgeId last) {
+  if (!m.is_live(first) || !m.is_live(last)) return Refusal::dead_element;
+  if (m.target(last) != m.origin(first)) return Refusal::not_one_fan;
+  if (m.twin(first) == last) return Refusal::same_edge;
+  for (HalfEdgeId h = first; m.previous(h) != last;) {
+    h = m.ccw(h);
+    if (!h.valid() || h == first) return Refusal::not_one_fan;
+  }
+  return Refusal::none;
+}
+
+inline HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
+  return MeshSurgery(mesh).split(first, last, corner);
+}
+
+inline SplitResult split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
+  const Refusal refusal = why_not_split(mesh, first, last);
+  if (refusal != Refusal::none) return {refusal, HalfEdgeId()};
+  return {refusal, split_unchecked(mesh, first, last, corner)};
+}
+
+}  // namespace requad::mesh

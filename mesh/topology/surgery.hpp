@@ -1,122 +1,79 @@
-// The bodies of the basic operations, to be inlined where they are called: a flip is some thirty instructions, so that a
-// call would be a good part of it. Internal to basic_operations.hpp, which includes this file and has the contracts.
+// How the basic operations change a mesh's arrays. This is the only code that writes to them after a mesh was built.
 //
-// What costs time is memory, so a query reads the faces that the operation touches anyway and as few others as it can:
-// valences of 2 are seen from the two faces at the edge, and one walk both ways round a vertex (QuadMesh::joined) tells
-// whether an edge is there already.
+// Legality is decided above, in basic_operations.hpp, which also has the pictures and the laws; use its functions. Every
+// function here requires that the operation is legal. The bodies stand in this header because a flip is about thirty
+// instructions, of which a call would be a good part.
 #pragma once
 
-#include "mesh/topology/basic_operations.hpp"
+#include "mesh/topology/quad_mesh.hpp"
 
 namespace requad::mesh {
 
-// The only code that writes to a mesh's arrays after it was built.
 class MeshSurgery {
  public:
   explicit MeshSurgery(QuadMesh& mesh) : m_(mesh) {}
 
-  void flip(HalfEdgeId h, Turn turn);
+  void flip_counter_clockwise(HalfEdgeId h);
+  void flip_clockwise(HalfEdgeId h);
   void collapse(HalfEdgeId h);
+  // Returns v -> a in the new face.
   HalfEdgeId split(HalfEdgeId first, HalfEdgeId last, int corner);
 
  private:
   HalfEdgeId& twin(HalfEdgeId h) { return m_.sides_[h.slot()].twin; }
   VertexId& origin(HalfEdgeId h) { return m_.sides_[h.slot()].origin; }
-  // `other` may be none; h is not.
+  // Makes h and `other` twins; if there is no other, h becomes a boundary half-edge.
   void glue(HalfEdgeId h, HalfEdgeId other) {
     twin(h) = other;
     if (other.valid()) twin(other) = h;
   }
-  // v may have lost the half-edge it started from; `candidate` is one it has, the first of the fan if that is known.
-  void restart(VertexId v, HalfEdgeId candidate) { m_.out_[v.slot()] = candidate; }
+  // Lets the fan of v start at `first`, because v may have lost the half-edge at which it started.
+  void restart(VertexId v, HalfEdgeId first) { m_.out_[v.slot()] = first; }
   FaceId new_face();
   VertexId new_vertex();
 
   QuadMesh& m_;
 };
 
-// Whether origin(h) is an interior vertex of valence 2, which can not lose an edge.
-inline bool has_two_edges(const QuadMesh& m, HalfEdgeId h) {
-  const HalfEdgeId left = m.ccw(h);
-  return left.valid() && left == m.cw(h);
-}
-
-// --- flip ------------------------------------------------------------------------------------------------------------
-
-inline Refusal why_not_flip(const QuadMesh& m, HalfEdgeId h, Turn turn) {
-  if (!m.is_live(h)) return Refusal::dead_element;
-  const HalfEdgeId t = m.twin(h);
-  if (!t.valid()) return Refusal::boundary_edge;
-  // Ends on the boundary keep a face: the edge is not on it, so each has two.
-  if (has_two_edges(m, h) || has_two_edges(m, t)) return Refusal::valence_too_low;
-  // The edge's ends move along the hexagon, to the origins of x and y.
-  const bool ccw = turn == Turn::counter_clockwise;
-  const HalfEdgeId x = ccw ? QuadMesh::opposite(t) : QuadMesh::previous(h);
-  const HalfEdgeId y = ccw ? QuadMesh::opposite(h) : QuadMesh::previous(t);
-  if (m.origin(x) == m.origin(y) || m.joined(x, m.origin(y))) return Refusal::edge_exists;
-  return Refusal::none;
-}
-
-inline void MeshSurgery::flip(HalfEdgeId h, Turn turn) {
+// A flipped edge takes the neighbouring slot of each of its faces. The outer edge of that slot goes to the other face,
+// into the slot that the edge left: so two outer twins change, not six.
+inline void MeshSurgery::flip_counter_clockwise(HalfEdgeId h) {
   const HalfEdgeId t = twin(h);
   const VertexId u = origin(h);
   const VertexId v = origin(t);
-  // The edge takes the neighbouring slot of each face, and that slot's outer edge goes to the other face, into the slot
-  // that the edge left: two outer twins change, not six.
-  if (turn == Turn::counter_clockwise) {
-    const HalfEdgeId h1 = QuadMesh::next(h);  // v -> p
-    const HalfEdgeId t1 = QuadMesh::next(t);  // u -> r
-    const HalfEdgeId outer_h1 = twin(h1);
-    const HalfEdgeId outer_t1 = twin(t1);
-    if (m_.out(v) == h1) restart(v, t);
-    if (m_.out(u) == t1) restart(u, h);
-    glue(h, outer_t1);
-    glue(t, outer_h1);
-    origin(h1) = origin(QuadMesh::next(t1));  // r
-    origin(t1) = origin(QuadMesh::next(h1));  // p
-    glue(h1, t1);
-  } else {
-    const HalfEdgeId h3 = QuadMesh::previous(h);  // q -> u
-    const HalfEdgeId t3 = QuadMesh::previous(t);  // s -> v
-    const VertexId q = origin(h3);
-    const VertexId s = origin(t3);
-    const HalfEdgeId outer_h3 = twin(h3);
-    const HalfEdgeId outer_t3 = twin(t3);
-    if (m_.out(u) == h) restart(u, QuadMesh::next(t));
-    if (m_.out(v) == t) restart(v, QuadMesh::next(h));
-    // A fan that started on the boundary starts there still, in the other face.
-    if (!outer_h3.valid()) restart(q, t);
-    if (!outer_t3.valid()) restart(s, h);
-    glue(h, outer_t3);
-    glue(t, outer_h3);
-    origin(h) = s;
-    origin(t) = q;
-    glue(h3, t3);
-  }
+  const HalfEdgeId h1 = QuadMesh::next(h);  // v -> p
+  const HalfEdgeId t1 = QuadMesh::next(t);  // u -> r
+  const HalfEdgeId outer_h1 = twin(h1);
+  const HalfEdgeId outer_t1 = twin(t1);
+  if (m_.out(v) == h1) restart(v, t);
+  if (m_.out(u) == t1) restart(u, h);
+  glue(h, outer_t1);
+  glue(t, outer_h1);
+  origin(h1) = origin(QuadMesh::next(t1));  // r
+  origin(t1) = origin(QuadMesh::next(h1));  // p
+  glue(h1, t1);
 }
 
-inline void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Turn turn) { MeshSurgery(mesh).flip(h, turn); }
-
-inline Refusal flip(QuadMesh& mesh, HalfEdgeId h, Turn turn) {
-  const Refusal refusal = why_not_flip(mesh, h, turn);
-  if (refusal == Refusal::none) flip_unchecked(mesh, h, turn);
-  return refusal;
-}
-
-// --- collapse --------------------------------------------------------------------------------------------------------
-
-inline Refusal why_not_collapse(const QuadMesh& m, HalfEdgeId h) {
-  if (!m.is_live(h)) return Refusal::dead_element;
-  const HalfEdgeId h2 = QuadMesh::opposite(h);  // c -> d
-  if (m.is_boundary(m.origin(h2))) return Refusal::boundary_corner;
-  // The edges at c are not on the boundary, so b and d keep a face.
-  if (has_two_edges(m, QuadMesh::next(h)) || has_two_edges(m, QuadMesh::previous(h))) return Refusal::valence_too_low;
-  // No neighbour of c but b and d is a or a neighbour of a.
-  const VertexId a = m.origin(h);
-  for (HalfEdgeId x = m.ccw(m.ccw(h2)); x != h2; x = m.ccw(x)) {
-    if (m.target(x) == a || m.joined(h, m.target(x))) return Refusal::edge_exists;
-  }
-  return Refusal::none;
+inline void MeshSurgery::flip_clockwise(HalfEdgeId h) {
+  const HalfEdgeId t = twin(h);
+  const VertexId u = origin(h);
+  const VertexId v = origin(t);
+  const HalfEdgeId h3 = QuadMesh::previous(h);  // q -> u
+  const HalfEdgeId t3 = QuadMesh::previous(t);  // s -> v
+  const VertexId q = origin(h3);
+  const VertexId s = origin(t3);
+  const HalfEdgeId outer_h3 = twin(h3);
+  const HalfEdgeId outer_t3 = twin(t3);
+  if (m_.out(u) == h) restart(u, QuadMesh::next(t));
+  if (m_.out(v) == t) restart(v, QuadMesh::next(h));
+  // A fan that started on the boundary still starts there, in the other face.
+  if (!outer_h3.valid()) restart(q, t);
+  if (!outer_t3.valid()) restart(s, h);
+  glue(h, outer_t3);
+  glue(t, outer_h3);
+  origin(h) = s;
+  origin(t) = q;
+  glue(h3, t3);
 }
 
 inline void MeshSurgery::collapse(HalfEdgeId h) {
@@ -133,7 +90,8 @@ inline void MeshSurgery::collapse(HalfEdgeId h) {
   const HalfEdgeId da = twin(h3);  // a -> d, or none
 
   for (HalfEdgeId x = bc; x != h2; x = m_.ccw(x)) origin(x) = a;
-  // The edges a-b, c-b become one, of bc and ab; likewise a-d, c-d. Fans that started in the dead face start beside it.
+  // The edges a-b and c-b become one edge with the half-edges bc and ab; likewise a-d and c-d.
+  // A fan that started in the dead face now starts beside it.
   if (m_.out(a) == h) restart(a, bc);
   if (m_.out(b) == h1) restart(b, ab);
   if (m_.out(d) == h3) restart(d, cd);
@@ -145,27 +103,6 @@ inline void MeshSurgery::collapse(HalfEdgeId h) {
   restart(c, HalfEdgeId());
   m_.free_faces_.push_back(f);
   m_.free_vertices_.push_back(c);
-}
-
-inline void collapse_unchecked(QuadMesh& mesh, HalfEdgeId h) { MeshSurgery(mesh).collapse(h); }
-
-inline Refusal collapse(QuadMesh& mesh, HalfEdgeId h) {
-  const Refusal refusal = why_not_collapse(mesh, h);
-  if (refusal == Refusal::none) collapse_unchecked(mesh, h);
-  return refusal;
-}
-
-// --- split -----------------------------------------------------------------------------------------------------------
-
-inline Refusal why_not_split(const QuadMesh& m, HalfEdgeId first, HalfEdgeId last) {
-  if (!m.is_live(first) || !m.is_live(last)) return Refusal::dead_element;
-  if (m.target(last) != m.origin(first)) return Refusal::not_one_fan;
-  if (m.twin(first) == last) return Refusal::same_edge;
-  for (HalfEdgeId h = first; m.previous(h) != last;) {
-    h = m.ccw(h);
-    if (!h.valid() || h == first) return Refusal::not_one_fan;
-  }
-  return Refusal::none;
 }
 
 inline FaceId MeshSurgery::new_face() {
@@ -199,7 +136,8 @@ inline HalfEdgeId MeshSurgery::split(HalfEdgeId first, HalfEdgeId last, int corn
   const HalfEdgeId wb = QuadMesh::opposite(va);
   const HalfEdgeId bv = QuadMesh::previous(va);
 
-  // The fan of v starts in the new face if it started in the sector: on the boundary only if the sector began there.
+  // If the fan of v started in the sector, it now starts in the new face. (On the boundary that happens only if the
+  // sector began there.)
   const HalfEdgeId start = m_.out(v);
   for (HalfEdgeId h = first;; h = m_.ccw(h)) {
     origin(h) = w;
@@ -216,18 +154,8 @@ inline HalfEdgeId MeshSurgery::split(HalfEdgeId first, HalfEdgeId last, int corn
   glue(first, aw);
   glue(last, wb);
   restart(w, first);
-  if (!vb.valid()) restart(b, bv);  // b -> v on the boundary, the start of b's fan, is now in the new face
+  if (!vb.valid()) restart(b, bv);  // b -> v is on the boundary, where the fan of b starts, and now in the new face
   return va;
-}
-
-inline HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
-  return MeshSurgery(mesh).split(first, last, corner);
-}
-
-inline SplitResult split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
-  const Refusal refusal = why_not_split(mesh, first, last);
-  if (refusal != Refusal::none) return {refusal, HalfEdgeId()};
-  return {refusal, split_unchecked(mesh, first, last, corner)};
 }
 
 }  // namespace requad::mesh

@@ -124,9 +124,9 @@ void add_flipped(Regions& regions, const mesh::Region& start) {
     const mesh::Region here = regions.at(queue.back());
     queue.pop_back();
     for (const mesh::HalfEdgeId h : here.mesh.half_edges()) {
-      for (const mesh::Turn turn : {mesh::Turn::clockwise, mesh::Turn::counter_clockwise}) {
+      for (const mesh::Rotation rotation : {mesh::Rotation::clockwise, mesh::Rotation::counter_clockwise}) {
         mesh::Region next = here;
-        if (mesh::flip(next.mesh, h, turn) != mesh::Refusal::none) continue;
+        if (mesh::flip(next.mesh, h, rotation) != mesh::Refusal::none) continue;
         next.root = next.mesh.out(here.mesh.origin(here.root));
         std::string text = mesh::signature(next);
         if (regions.emplace(text, next).second) queue.push_back(std::move(text));

@@ -248,7 +248,7 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   CHECK_FALSE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), tests::grid(4, 4)).problem.empty());
   mesh::Region disturbed = start(8);
   for (const mesh::HalfEdgeId h : disturbed.mesh.half_edges()) {
-    if (mesh::flip(disturbed.mesh, h, mesh::Turn::clockwise) == mesh::Refusal::none) break;
+    if (mesh::flip(disturbed.mesh, h, mesh::Rotation::clockwise) == mesh::Refusal::none) break;
   }
   CHECK_FALSE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), disturbed).problem.empty());
 }

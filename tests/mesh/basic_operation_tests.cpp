@@ -107,10 +107,12 @@ Tally check_all_sites(const Region& region, std::mt19937& random) {
   const QuadMesh& m = region.mesh;
   Tally tally;
   for (const HalfEdgeId h : m.half_edges()) {
-    for (const Turn turn : {Turn::counter_clockwise, Turn::clockwise}) {
+    for (const Rotation rotation : {Rotation::counter_clockwise, Rotation::clockwise}) {
       tests::LegalResult expected;
-      if (!m.is_boundary(h)) expected = tests::is_legal_result(m, tests::flipped(m, h, turn), m.vertex_capacity(), -1);
-      check_site(region, {turn == Turn::clockwise ? Kind::flip_cw : Kind::flip_ccw, h, {}, 0}, expected, random, tally);
+      if (!m.is_boundary(h))
+        expected = tests::is_legal_result(m, tests::flipped(m, h, rotation), m.vertex_capacity(), -1);
+      check_site(region, {rotation == Rotation::clockwise ? Kind::flip_cw : Kind::flip_ccw, h, {}, 0}, expected, random,
+                 tally);
     }
     const VertexId gone = m.target(m.next(h));
     check_site(region, {Kind::collapse, h, {}, 0},
@@ -181,9 +183,9 @@ TEST_CASE("every flip and collapse at every site of closed meshes", "[operations
     m = QuadMesh::from_faces(m.vertex_count(), m.compact_faces());  // without gaps, for the surgery
     std::vector<std::pair<BasicOperation, tests::LegalResult>> sites;
     for (const HalfEdgeId h : m.half_edges()) {
-      for (const Turn turn : {Turn::counter_clockwise, Turn::clockwise}) {
-        sites.push_back({{turn == Turn::clockwise ? Kind::flip_cw : Kind::flip_ccw, h, {}, 0},
-                         tests::is_legal_result(m, tests::flipped(m, h, turn), m.vertex_capacity(), -1)});
+      for (const Rotation rotation : {Rotation::counter_clockwise, Rotation::clockwise}) {
+        sites.push_back({{rotation == Rotation::clockwise ? Kind::flip_cw : Kind::flip_ccw, h, {}, 0},
+                         tests::is_legal_result(m, tests::flipped(m, h, rotation), m.vertex_capacity(), -1)});
       }
       sites.push_back(
           {{Kind::collapse, h, {}, 0},
@@ -209,9 +211,9 @@ TEST_CASE("every flip and collapse at every site of closed meshes", "[operations
 
 TEST_CASE("each refusal occurs", "[operations]") {
   const Region g = tests::grid(3, 3);
-  CHECK(why_not_flip(g.mesh, g.root, Turn::clockwise) == Refusal::boundary_edge);
-  CHECK(why_not_flip(g.mesh, HalfEdgeId(1000), Turn::clockwise) == Refusal::dead_element);
-  CHECK(why_not_flip(g.mesh, HalfEdgeId(), Turn::clockwise) == Refusal::dead_element);
+  CHECK(why_not_flip(g.mesh, g.root, Rotation::clockwise) == Refusal::boundary_edge);
+  CHECK(why_not_flip(g.mesh, HalfEdgeId(1000), Rotation::clockwise) == Refusal::dead_element);
+  CHECK(why_not_flip(g.mesh, HalfEdgeId(), Rotation::clockwise) == Refusal::dead_element);
   CHECK(why_not_collapse(g.mesh, g.mesh.find_half_edge(VertexId(5), VertexId(1))) == Refusal::boundary_corner);
   const HalfEdgeId inner = g.mesh.find_half_edge(VertexId(5), VertexId(6));
   CHECK(why_not_split(g.mesh, inner, g.mesh.twin(inner)) == Refusal::same_edge);
@@ -223,7 +225,7 @@ TEST_CASE("each refusal occurs", "[operations]") {
   bool too_low = false, exists = false;
   for (const HalfEdgeId h : once.half_edges()) {
     too_low = too_low || why_not_collapse(once, h) == Refusal::valence_too_low;
-    exists = exists || why_not_flip(once, h, Turn::clockwise) == Refusal::edge_exists ||
+    exists = exists || why_not_flip(once, h, Rotation::clockwise) == Refusal::edge_exists ||
              why_not_collapse(once, h) == Refusal::edge_exists;
   }
   CHECK(too_low);
@@ -235,9 +237,9 @@ TEST_CASE("a flip is one split and one collapse", "[operations]") {
   const Region g = tests::grid(4, 3);
   int checked = 0;
   for (const HalfEdgeId h : g.mesh.half_edges()) {
-    if (why_not_flip(g.mesh, h, Turn::counter_clockwise) != Refusal::none) continue;
+    if (why_not_flip(g.mesh, h, Rotation::counter_clockwise) != Refusal::none) continue;
     QuadMesh flipped = g.mesh;
-    flip_unchecked(flipped, h, Turn::counter_clockwise);
+    flip_unchecked(flipped, h, Rotation::counter_clockwise);
     // Some split at an end of the edge followed by some collapse gives the same mesh rel boundary.
     bool found = false;
     for (const HalfEdgeId first : g.mesh.half_edges()) {

@@ -102,11 +102,11 @@ TEST_CASE("the canonical signature is the least, whatever symmetries spare", "[s
     QuadMesh even = tests::torus(8, 5);
     for (int k = 0; k < 1 + i % 7; ++k) {
       const auto all = m.half_edges();
-      flip(m, all[random() % all.size()], Turn::clockwise);
+      flip(m, all[random() % all.size()], Rotation::clockwise);
       const auto h = static_cast<std::int32_t>(random() % (4 * 40));
       const std::int32_t across = 32 * (h / 32) + (h + 16) % 32;  // four columns on, in rows of eight quads
-      flip(even, HalfEdgeId(h), Turn::clockwise);
-      flip(even, HalfEdgeId(across), Turn::clockwise);
+      flip(even, HalfEdgeId(h), Rotation::clockwise);
+      flip(even, HalfEdgeId(across), Rotation::clockwise);
     }
     meshes.push_back(std::move(m));
     meshes.push_back(std::move(even));

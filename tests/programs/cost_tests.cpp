@@ -96,10 +96,10 @@ TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs
   CHECK(allocations_of([&] {
           for (int i = 0; i < half_edges; ++i) {
             const HalfEdgeId h(i);
-            flip_unchecked(m, h, Turn::counter_clockwise);
-            flip_unchecked(m, QuadMesh::next(h), Turn::clockwise);
-            made += flip(m, h, Turn::clockwise) == Refusal::none ? 1 : 0;
-            made += flip(m, QuadMesh::previous(h), Turn::counter_clockwise) == Refusal::none ? 1 : 0;
+            flip_unchecked(m, h, Rotation::counter_clockwise);
+            flip_unchecked(m, QuadMesh::next(h), Rotation::clockwise);
+            made += flip(m, h, Rotation::clockwise) == Refusal::none ? 1 : 0;
+            made += flip(m, QuadMesh::previous(h), Rotation::counter_clockwise) == Refusal::none ? 1 : 0;
           }
         }) == 0);
   CHECK(made == 2 * half_edges);

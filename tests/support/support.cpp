@@ -120,7 +120,7 @@ std::array<int, 4> corners_from(const QuadMesh& m, HalfEdgeId h) {
 
 }  // namespace
 
-FaceList flipped(const QuadMesh& m, HalfEdgeId h, mesh::Turn turn) {
+FaceList flipped(const QuadMesh& m, HalfEdgeId h, mesh::Rotation rotation) {
   FaceList faces = face_list(m);
   // Hexagon u r s v p q, the edge u-v inside.
   const auto [u, v, p, q] = corners_from(m, h);
@@ -129,7 +129,7 @@ FaceList flipped(const QuadMesh& m, HalfEdgeId h, mesh::Turn turn) {
   const int s = other[3];
   auto& left = faces[m.face(h).slot()];
   auto& right = faces[m.face(m.twin(h)).slot()];
-  if (turn == mesh::Turn::counter_clockwise) {
+  if (rotation == mesh::Rotation::counter_clockwise) {
     left = {u, r, p, q};
     right = {r, s, v, p};
   } else {

@@ -42,7 +42,7 @@ mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& 
 // no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
 using FaceList = std::vector<std::array<int, 4>>;
 FaceList face_list(const mesh::QuadMesh& mesh);
-FaceList flipped(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h, mesh::Turn turn);
+FaceList flipped(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h, mesh::Rotation rotation);
 FaceList collapsed(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h);
 FaceList split(const mesh::QuadMesh& mesh, const std::vector<mesh::FaceId>& sector, mesh::HalfEdgeId first,
                mesh::HalfEdgeId last);
