@@ -16,12 +16,10 @@ using theory::PairType;
 std::optional<Configuration> labelling_of(const Region& region, const std::vector<BoundaryPosition>& positions,
                                           PairType type, const PairFrame& frame) {
   const int k = type.side_count();
-  std::vector<HalfEdgeId> outward = mesh::outward(region.mesh, frame);
-  for (const HalfEdgeId h : mesh::outward(region.mesh, mesh::seen_from_other_end(region.mesh, frame)))
-    outward.push_back(h);
+  const std::vector<HalfEdgeId> outward = mesh::outward_of_both(region.mesh, frame);
 
   Configuration labelling;
-  labelling.parameters = {frame.b, frame.a, theory::IntegerVector::Zero(k)};
+  labelling.parameters = {frame.d1, frame.d2, theory::IntegerVector::Zero(k)};
   for (int i = 0; i < k; ++i) {
     const mesh::Separatrix s = mesh::trace(region.mesh, outward[static_cast<std::size_t>(i)]);
     if (s.end != mesh::Separatrix::End::boundary) return std::nullopt;
@@ -104,7 +102,7 @@ Reading read(const Region& region, PairType type) {
 std::vector<BoundaryPosition> separatrix_vector(const Region& region, const PairFrame& frame) {
   const auto positions = mesh::boundary_positions(region);
   std::vector<BoundaryPosition> vector;
-  for (const PairFrame& f : {frame, mesh::seen_from_other_end(region.mesh, frame)}) {
+  for (const PairFrame& f : mesh::both_ends(region.mesh, frame)) {
     HalfEdgeId h = f.first_leg;
     do {
       const mesh::Separatrix s = mesh::trace(region.mesh, h);

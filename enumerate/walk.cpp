@@ -161,13 +161,13 @@ class Walker {
         const theory::Labelling& l = located->labelling;
         found.place.p = l.p;
         found.place.at = type_.symmetric() ? theory::GridPoint{l.d1, l.d2} : theory::GridPoint{l.e[0], l.e[1]};
-        // Seen from the vertex whose labels come first, with d1 = b and d2 = a.
+        // Seen from the vertex whose labels come first.
         const std::size_t from = located->swapped ? 1 : 0;
         const HalfEdgeId leg = start(from, from == 0 ? located->leg1 : located->leg2);
-        found.frame = {leg, m_.ccw(leg), pair_[from], pair_[1 - from], static_cast<int>(l.d2), static_cast<int>(l.d1)};
+        found.frame = {leg, m_.ccw(leg), pair_[from], pair_[1 - from], static_cast<int>(l.d1), static_cast<int>(l.d2)};
         found.other = {
-            found.frame.second_leg, m_.ccw(found.frame.second_leg), pair_[from], pair_[1 - from], found.frame.b,
-            found.frame.a};
+            found.frame.second_leg, m_.ccw(found.frame.second_leg), pair_[from], pair_[1 - from], found.frame.d2,
+            found.frame.d1};
         found.number = table_.find(found.place);
       }
     }

@@ -240,7 +240,7 @@ RegionClaim rectangle_claim(const Exploration& found) {
     const Configuration& c = node.reading.configuration;
     if (c.merged()) continue;
     ++pairs;
-    const auto faces = mesh::region_between(node.region.mesh, node.reading.frames.front().frame);
+    const auto faces = mesh::grid(node.region.mesh, node.reading.frames.front().frame);
     if (faces && static_cast<Integer>(faces->size()) == c.d1() * c.d2()) ++grids;
   }
   return {"L8",

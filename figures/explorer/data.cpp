@@ -235,25 +235,11 @@ ordered_json ids(const std::vector<VertexId>& vertices) {
 }
 
 // The vertices round R_alpha from v1, counter-clockwise; of a segment those along it.
-std::vector<VertexId> rim(const QuadMesh& m, const PairFrame& f) {
+std::vector<VertexId> vertices_round(const QuadMesh& m, const PairFrame& f) {
   std::vector<VertexId> vertices{f.v1};
-  const auto follow = [&](HalfEdgeId h, int steps) {
-    for (int i = 0; i < steps; ++i) {
-      if (i > 0) h = m.straight(h);
-      vertices.push_back(m.target(h));
-    }
-  };
-  if (f.v1 == f.v2) return vertices;
-  if (f.degenerate()) {
-    follow(f.a > 0 ? f.first_leg : f.second_leg, f.a + f.b);
-    return vertices;
-  }
-  // Along the first leg of v1, up the second leg of v2; and on by the same from v2.
-  for (const PairFrame& end : {f, mesh::seen_from_other_end(m, f)}) {
-    follow(end.first_leg, end.a);
-    follow(m.next(*mesh::walk(m, end.first_leg, end.a)), end.b);
-  }
-  vertices.pop_back();
+  for (const HalfEdgeId h : f.degenerate() ? mesh::path_between(m, f) : mesh::rim(m, f))
+    vertices.push_back(m.target(h));
+  if (!f.degenerate()) vertices.pop_back();  // v1 again
   return vertices;
 }
 
@@ -261,16 +247,9 @@ std::vector<VertexId> rim(const QuadMesh& m, const PairFrame& f) {
 ordered_json outward_json(PairType type, const FoundNode& node) {
   const QuadMesh& m = node.region.mesh;
   const PairFrame& f = node.reading.frames.front().frame;
-  std::vector<HalfEdgeId> outward;
-  if (f.v1 == f.v2) {
-    m.for_each_out(f.v1, [&outward](HalfEdgeId h) { outward.push_back(h); });
-  } else {
-    outward = mesh::outward(m, f);
-    for (const HalfEdgeId h : mesh::outward(m, mesh::seen_from_other_end(m, f))) outward.push_back(h);
-  }
   const auto positions = mesh::boundary_positions(node.region);
   std::vector<ordered_json> by_side(static_cast<std::size_t>(type.side_count()));
-  for (const HalfEdgeId h : outward) {
+  for (const HalfEdgeId h : mesh::outward_of_both(m, f)) {
     const mesh::Separatrix s = mesh::trace(m, h);
     const int side = positions[m.target(s.path.back()).slot()].side;
     by_side.at(static_cast<std::size_t>(side)) = ids(path_vertices(m, s.path));
@@ -309,11 +288,11 @@ ordered_json node_json(PairType type, const FoundNode& node) {
   const PairFrame& frame = node.reading.frames.front().frame;
   json["alpha"] = ordered_json::array();
   if (!c.merged()) {
-    const auto between = mesh::region_between(m, frame);
+    const auto between = mesh::grid(m, frame);
     if (!between) throw std::logic_error("R_alpha is no grid");
     for (const FaceId f : *between) json["alpha"].push_back(f.index());
   }
-  json["rim"] = ids(rim(m, frame));
+  json["rim"] = ids(vertices_round(m, frame));
   json["outward"] = outward_json(type, node);
   return json;
 }

@@ -142,23 +142,6 @@ std::vector<FaceId> ring_round(const QuadMesh& m, const std::vector<VertexId>& c
   return ring;
 }
 
-// v1 along its first leg, then v2's second leg backwards: a shortest path between the two.
-std::vector<HalfEdgeId> path_between(const QuadMesh& m, const mesh::PairFrame& frame) {
-  std::vector<HalfEdgeId> path;
-  const auto add = [&](HalfEdgeId h, int steps) {
-    for (int i = 0; i < steps; ++i) {
-      path.push_back(h);
-      if (i + 1 < steps) h = m.straight(h);
-    }
-  };
-  add(frame.first_leg, frame.a);
-  if (frame.b > 0) {
-    // At the corner of R_alpha: left.
-    add(frame.a > 0 ? QuadMesh::next(path.back()) : frame.second_leg, frame.b);
-  }
-  return path;
-}
-
 std::string signed_sum(int made, int deleted) {
   const auto faces = [](int n) { return std::to_string(n) + (n == 1 ? " face" : " faces"); };
   if (made > 0 && deleted > 0) return faces(made) + " made, " + std::to_string(deleted) + " deleted";
@@ -369,7 +352,7 @@ Paint paint_pair_moves() {
       Panel before{start, {}};
       before.stay = ring_round(start.mesh, change.changed);
       before.deleted = change.deleted;
-      before.lines = {{path_between(start.mesh, move.frame), kGreenLine}};
+      before.lines = {{mesh::path_between(start.mesh, move.frame), kGreenLine}};
       const auto outward = mesh::outward(start.mesh, move.frame);
       HalfEdgeId way;
       switch (move.step) {
@@ -385,7 +368,7 @@ Paint paint_pair_moves() {
                   {signed_sum(static_cast<int>(change.made.size()), static_cast<int>(change.deleted.size()))}};
       after.stay = ring_round(change.after.mesh, change.changed);
       after.made = change.made;
-      after.lines = {{path_between(m, report.inverse.frame), kGreenLine}};
+      after.lines = {{mesh::path_between(m, report.inverse.frame), kGreenLine}};
       const double x = column * kX;
       sheet.panels.push_back({before, {x, (2 * row) * kY}, kUnit});
       sheet.panels.push_back({after, {x, (2 * row + 1) * kY + 12}, kUnit});
@@ -401,7 +384,7 @@ Paint paint_detour() {
   const Region start = region_with(theory::kQuad, 4, 0, {3, 3, 3, 3});
   const VertexId three = irregular_of(start.mesh, 3), five = irregular_of(start.mesh, 5);
   const mesh::PairFrame frame = mesh::find_frames(start.mesh, five, three).at(0);
-  const std::vector<HalfEdgeId> direct = path_between(start.mesh, frame);
+  const std::vector<HalfEdgeId> direct = mesh::path_between(start.mesh, frame);
   // The feature crosses the path in its middle, an edge long on one side and two on the other.
   const HalfEdgeId across = QuadMesh::next(direct[1]);
   std::vector<HalfEdgeId> feature{start.mesh.straight(across), across};
@@ -480,8 +463,8 @@ Paint paint_equal_pair_moves() {
     const auto moves = mesh::pair_moves(region.mesh, irregular.at(0), irregular.at(1));
     const mesh::PairFrame frame = moves.at(0).frame;
     Panel panel{region,
-                {std::string("(") + static_cast<char>('a' + i) + ")   d_1 = " + std::to_string(frame.b) +
-                 ", d_2 = " + std::to_string(frame.a)}};
+                {std::string("(") + static_cast<char>('a' + i) + ")   d_1 = " + std::to_string(frame.d1) +
+                 ", d_2 = " + std::to_string(frame.d2)}};
     const MeshPicture probe(region, Point::Zero(), 1);
     panel.blue = probe.between(frame);
     panel.made = made;

@@ -116,19 +116,17 @@ Paint paint_separatrices() {
 
       int label = 0;
       std::vector<Point> stars;
-      for (const mesh::PairFrame& end : {frame, mesh::seen_from_other_end(m, frame)}) {
-        for (const HalfEdgeId h : mesh::outward(m, end)) {
-          ++label;
-          const auto path = mesh::trace(m, h).path;
-          picture.path(canvas, path, kGreenLine);
-          stars.push_back(picture.at(m.target(path.back())));
-          // Beside the last edge but one, clear of the line.
-          const HalfEdgeId at = path[path.size() / 2];
-          const Point from = picture.at(m.origin(at)), to = picture.at(m.target(at));
-          const Point along = (to - from).normalized();
-          canvas.text((from + to) / 2 + 9 * Point(-along.y(), along.x()) - Point(0, 4), "e_" + std::to_string(label),
-                      11, ink::kGreen);
-        }
+      for (const HalfEdgeId h : mesh::outward_of_both(m, frame)) {
+        ++label;
+        const auto path = mesh::trace(m, h).path;
+        picture.path(canvas, path, kGreenLine);
+        stars.push_back(picture.at(m.target(path.back())));
+        // Beside the last edge but one, clear of the line.
+        const HalfEdgeId at = path[path.size() / 2];
+        const Point from = picture.at(m.origin(at)), to = picture.at(m.target(at));
+        const Point along = (to - from).normalized();
+        canvas.text((from + to) / 2 + 9 * Point(-along.y(), along.x()) - Point(0, 4), "e_" + std::to_string(label), 11,
+                    ink::kGreen);
       }
       // The legs of v1: the first is d2 long, the second d1 (mesh/irregular/pair_frame.hpp).
       const auto leg_text = [&](HalfEdgeId h, int length, const std::string& words) {
@@ -137,8 +135,8 @@ Paint paint_separatrices() {
         const Point middle = length % 2 == 0 ? from : Point((from + to) / 2);
         canvas.text(middle + 0.35 * (centre - middle).normalized() * 21 - Point(0, 4), words, 11);
       };
-      leg_text(frame.first_leg, frame.a, "d_2");
-      leg_text(frame.second_leg, frame.b, "d_1");
+      leg_text(frame.first_leg, frame.d2, "d_2");
+      leg_text(frame.second_leg, frame.d1, "d_1");
       for (const Point& star : stars) mark_star(canvas, star, 5, ink::kYellow);
       picture.irregular(canvas, 5);
       for (const auto& [v, name] : {std::pair{frame.v1, "v_1"}, {frame.v2, "v_2"}}) {

@@ -60,8 +60,8 @@ Way try_step(Editor& editor, const PairMove& move) {
   const mesh::PairFrame& to = report.inverse.frame;
   way.operations = static_cast<int>(report.operations.size());
   way.faces = static_cast<int>(report.faces_made.size()) - static_cast<int>(report.faces_deleted.size());
-  way.effect = "(" + std::to_string(move.frame.a) + "," + std::to_string(move.frame.b) + ") becomes (" +
-               std::to_string(to.a) + "," + std::to_string(to.b) + ")";
+  way.effect = "(" + std::to_string(move.frame.d1) + "," + std::to_string(move.frame.d2) + ") becomes (" +
+               std::to_string(to.d1) + "," + std::to_string(to.d2) + ")";
   return way;
 }
 
@@ -226,8 +226,8 @@ int change_pair(const Options& options, const std::string& command, Operation&& 
   const std::string now = f.v1 == f.v2 ? session.describe(f.v1) : and_(session, f.v1, f.v2);
   ordered_json vertices = ordered_json::array({session.number(f.v1)});
   if (f.v1 != f.v2) vertices.push_back(session.number(f.v2));
-  return session.done({{"moves", result.moves}, {"vertices", vertices}, {"d1", f.a}, {"d2", f.b}},
-                      wish + " are now " + now + " at (" + std::to_string(f.a) + "," + std::to_string(f.b) +
+  return session.done({{"moves", result.moves}, {"vertices", vertices}, {"d1", f.d1}, {"d2", f.d2}},
+                      wish + " are now " + now + " at (" + std::to_string(f.d1) + "," + std::to_string(f.d2) +
                           "), after " + counted(result.moves, "move", "moves") + "\n");
 }
 

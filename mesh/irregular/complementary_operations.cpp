@@ -136,15 +136,15 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
 namespace {
 
 struct Delta {
-  int a;
-  int b;
+  int d1;
+  int d2;
 };
 
 // The step that changes the extents of an equal pair so (the table of pair_moves.hpp).
 PairStep step_for(int valence, Delta delta) {
   const bool three = valence == 3;
-  if (delta.a == delta.b) return (delta.a < 0) == three ? PairStep::open : PairStep::close;
-  return (delta.a < 0) == three ? PairStep::slide_first : PairStep::slide_second;
+  if (delta.d1 == delta.d2) return (delta.d1 < 0) == three ? PairStep::open : PairStep::close;
+  return (delta.d2 < 0) == three ? PairStep::slide_first : PairStep::slide_second;
 }
 
 // Moves the pair again and again, each time by what `choose` says of its frame, until that is nothing. All or none.
@@ -184,11 +184,11 @@ PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2) {
   if (refusal != Refusal::none) return {refusal, 0, {}};
   PairResult result;
   for (const PairFrame& frame : frames) {
-    if ((frame.a + frame.b) % 2 != 0) return {Refusal::odd_distance, 0, {}};
+    if (frame.distance() % 2 != 0) return {Refusal::odd_distance, 0, {}};
     // A segment bends first, so that it can shrink along both legs.
     result = move_repeatedly(editor, frame, [](const PairFrame& f) -> std::optional<Delta> {
-      if (f.a == 0 && f.b == 0) return std::nullopt;
-      return Delta{f.a == 0 ? 1 : -1, f.b == 0 ? 1 : -1};
+      if (f.merged()) return std::nullopt;
+      return Delta{f.d1 == 0 ? 1 : -1, f.d2 == 0 ? 1 : -1};
     });
     if (result.refusal == Refusal::none) break;
   }
@@ -199,8 +199,8 @@ PairResult align_pair(Editor& editor, VertexId v1, VertexId v2) {
   const auto [refusal, frames] = frames_of(editor, v1, v2);
   PairResult result{refusal, 0, {}};
   for (const PairFrame& frame : frames) {
-    const Delta along = frame.a <= frame.b ? Delta{-1, 1} : Delta{1, -1};
-    for (const Delta delta : {along, Delta{-1, -1}, Delta{-along.a, -along.b}}) {
+    const Delta along = frame.d2 <= frame.d1 ? Delta{1, -1} : Delta{-1, 1};
+    for (const Delta delta : {along, Delta{-1, -1}, Delta{-along.d1, -along.d2}}) {
       result = move_repeatedly(editor, frame, [delta](const PairFrame& f) {
         return f.degenerate() ? std::nullopt : std::optional<Delta>(delta);
       });

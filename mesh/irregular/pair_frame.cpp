@@ -1,5 +1,6 @@
 #include "mesh/irregular/pair_frame.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <unordered_map>
 
@@ -28,22 +29,22 @@ std::optional<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, int steps) {
   return h;
 }
 
-std::optional<PairFrame> frame_at(const QuadMesh& m, HalfEdgeId first_leg, int a, int b) {
+std::optional<PairFrame> frame_at(const QuadMesh& m, HalfEdgeId first_leg, int d1, int d2) {
   const HalfEdgeId second_leg = m.ccw(first_leg);
   if (!second_leg.valid()) return std::nullopt;
-  PairFrame frame{first_leg, second_leg, m.origin(first_leg), VertexId(), a, b};
-  if (a == 0 || b == 0) {
-    const auto end = walk(m, a == 0 ? second_leg : first_leg, a + b);
+  PairFrame frame{first_leg, second_leg, m.origin(first_leg), VertexId(), d1, d2};
+  if (frame.degenerate()) {
+    const auto end = walk(m, d2 == 0 ? second_leg : first_leg, frame.distance());
     if (!end) return std::nullopt;
     frame.v2 = m.target(*end);
     return frame;
   }
   // Both ways round the rectangle must end at the same vertex, turning at regular corners.
-  const auto to_x = walk(m, first_leg, a);
-  const auto to_y = walk(m, second_leg, b);
+  const auto to_x = walk(m, first_leg, d2);
+  const auto to_y = walk(m, second_leg, d1);
   if (!to_x || !to_y || !regular(m, m.target(*to_x)) || !regular(m, m.target(*to_y))) return std::nullopt;
-  const auto from_x = walk(m, left_of(m, *to_x), b);
-  const auto from_y = walk(m, right_of(m, *to_y), a);
+  const auto from_x = walk(m, left_of(m, *to_x), d1);
+  const auto from_y = walk(m, right_of(m, *to_y), d2);
   if (!from_x || !from_y || m.target(*from_x) != m.target(*from_y)) return std::nullopt;
   frame.v2 = m.target(*from_x);
   return frame;
@@ -60,8 +61,8 @@ std::vector<PairFrame> find_frames(const QuadMesh& m, VertexId v1, VertexId v2) 
     }
   });
   std::vector<PairFrame> frames;
-  const auto add = [&](HalfEdgeId first_leg, int a, int b) {
-    const auto frame = frame_at(m, first_leg, a, b);
+  const auto add = [&](HalfEdgeId first_leg, int d1, int d2) {
+    const auto frame = frame_at(m, first_leg, d1, d2);
     if (frame && frame->v2 == v2) frames.push_back(*frame);
   };
   m.for_each_out(v1, [&](HalfEdgeId leg) {
@@ -69,30 +70,32 @@ std::vector<PairFrame> find_frames(const QuadMesh& m, VertexId v1, VertexId v2) 
     for (int i = 0; i < s.length(); ++i) {
       const HalfEdgeId arriving = s.path[static_cast<std::size_t>(i)];
       if (m.target(arriving) == v2) {
-        add(leg, i + 1, 0);
-        add(m.cw(leg), 0, i + 1);
+        add(leg, 0, i + 1);
+        add(m.cw(leg), i + 1, 0);
         break;
       }
       const auto turn = towards_v2.find(left_of(m, arriving));
-      if (turn != towards_v2.end() && regular(m, m.target(arriving))) add(leg, i + 1, turn->second);
+      if (turn != towards_v2.end() && regular(m, m.target(arriving))) add(leg, turn->second, i + 1);
     }
   });
   return frames;
 }
 
 PairFrame seen_from_other_end(const QuadMesh& m, const PairFrame& f) {
-  PairFrame other{HalfEdgeId(), HalfEdgeId(), f.v2, f.v1, f.a, f.b};
-  if (f.b == 0) {
-    other.first_leg = m.twin(*walk(m, f.first_leg, f.a));
+  PairFrame other{HalfEdgeId(), HalfEdgeId(), f.v2, f.v1, f.d1, f.d2};
+  if (f.d1 == 0) {
+    other.first_leg = m.twin(*walk(m, f.first_leg, f.d2));
   } else {
-    // Arriving at v2 along its second leg.
+    // The last half-edge arrives at v2 along its second leg.
     HalfEdgeId start = f.second_leg;
-    if (f.a > 0) start = left_of(m, *walk(m, f.first_leg, f.a));
-    other.first_leg = m.cw(m.twin(*walk(m, start, f.b)));
+    if (f.d2 > 0) start = left_of(m, *walk(m, f.first_leg, f.d2));
+    other.first_leg = m.cw(m.twin(*walk(m, start, f.d1)));
   }
   other.second_leg = m.ccw(other.first_leg);
   return other;
 }
+
+std::array<PairFrame, 2> both_ends(const QuadMesh& m, const PairFrame& f) { return {f, seen_from_other_end(m, f)}; }
 
 std::vector<HalfEdgeId> outward(const QuadMesh& m, const PairFrame& f) {
   std::vector<HalfEdgeId> result;
@@ -100,31 +103,82 @@ std::vector<HalfEdgeId> outward(const QuadMesh& m, const PairFrame& f) {
   return result;
 }
 
-std::optional<std::vector<FaceId>> region_between(const QuadMesh& m, const PairFrame& f) {
+std::vector<HalfEdgeId> outward_of_both(const QuadMesh& m, const PairFrame& f) {
+  std::vector<HalfEdgeId> result;
+  if (f.merged()) {
+    HalfEdgeId h = f.first_leg;
+    do {
+      result.push_back(h);
+      h = m.ccw(h);
+    } while (h != f.first_leg);
+    return result;
+  }
+  for (const PairFrame& end : both_ends(m, f)) {
+    const std::vector<HalfEdgeId> of_end = outward(m, end);
+    result.insert(result.end(), of_end.begin(), of_end.end());
+  }
+  return result;
+}
+
+std::vector<HalfEdgeId> path_between(const QuadMesh& m, const PairFrame& f) {
+  std::vector<HalfEdgeId> path;
+  const auto go = [&](HalfEdgeId h, int steps) {
+    for (int i = 0; i < steps; ++i) {
+      path.push_back(h);
+      if (i + 1 < steps) h = m.straight(h);
+    }
+  };
+  go(f.first_leg, f.d2);
+  if (f.d1 > 0) go(f.d2 > 0 ? left_of(m, path.back()) : f.second_leg, f.d1);
+  return path;
+}
+
+std::vector<HalfEdgeId> rim(const QuadMesh& m, const PairFrame& f) {
+  if (f.merged()) return {};
+  std::vector<HalfEdgeId> path = path_between(m, f);
+  const std::vector<HalfEdgeId> back = path_between(m, seen_from_other_end(m, f));
+  path.insert(path.end(), back.begin(), back.end());
+  return path;
+}
+
+std::optional<std::vector<FaceId>> grid(const QuadMesh& m, const PairFrame& f) {
   std::vector<FaceId> faces;
   const auto clean = [&](VertexId v) { return v == f.v1 || v == f.v2 || regular(m, v); };
   if (f.degenerate()) {
-    HalfEdgeId h = f.a == 0 ? f.second_leg : f.first_leg;
-    for (int i = 0; i < f.a + f.b; ++i) {
+    HalfEdgeId h = f.d2 == 0 ? f.second_leg : f.first_leg;
+    for (int i = 0; i < f.distance(); ++i) {
       if (i > 0) h = m.straight(h);
-      if (!clean(m.target(h)) || (m.target(h) == f.v2) != (i + 1 == f.a + f.b)) return std::nullopt;
+      if (!clean(m.target(h)) || (m.target(h) == f.v2) != (i + 1 == f.distance())) return std::nullopt;
     }
     return faces;
   }
   HalfEdgeId row = f.first_leg;  // the bottom edge of the row's first face
-  for (int j = 0; j < f.b; ++j) {
+  for (int j = 0; j < f.d1; ++j) {
     HalfEdgeId h = row;
-    for (int i = 0; i < f.a; ++i) {
+    for (int i = 0; i < f.d2; ++i) {
       for (const VertexId v : m.corners(m.face(h))) {
         if (!clean(v)) return std::nullopt;
       }
       faces.push_back(m.face(h));
       // The next face of the row shares next(h); its bottom edge continues h.
-      if (i + 1 < f.a) h = m.next(m.twin(m.next(h)));
+      if (i + 1 < f.d2) h = m.next(m.twin(m.next(h)));
     }
-    if (j + 1 == f.b && m.target(m.next(h)) != f.v2) return std::nullopt;
-    if (j + 1 < f.b) row = m.twin(m.opposite(row));
+    if (j + 1 == f.d1 && m.target(m.next(h)) != f.v2) return std::nullopt;
+    if (j + 1 < f.d1) row = m.twin(m.opposite(row));
   }
+  return faces;
+}
+
+std::vector<FaceId> ring(const QuadMesh& m, const PairFrame& f) {
+  std::vector<VertexId> core{f.v1};
+  for (const HalfEdgeId h : rim(m, f)) core.push_back(m.target(h));
+  for (const FaceId face : grid(m, f).value_or(std::vector<FaceId>{})) {
+    for (const VertexId v : m.corners(face)) core.push_back(v);
+  }
+  std::vector<FaceId> faces;
+  for (const VertexId v : core) m.for_each_out(v, [&](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
 }
 

@@ -1,23 +1,24 @@
-// Where a pair of irregular vertices lies: the grid R_alpha between them, read off the mesh by its separatrices.
+// Where a pair of irregular vertices lies: the rectangle R_alpha between them, read off the mesh by its separatrices.
 //
 // Terms (section 7)
-//   R_alpha    the regular grid of which v1 and v2 are opposite corners (Lemma 7.8); a segment if one extent is 0.
-//   leg        a separatrix that runs along R_alpha. Each vertex has two; `first` comes before `second` counter-
-//              clockwise, R_alpha lies between. The other separatrices are outward: counter-clockwise after `second`.
-//   a, b       the extents of R_alpha along v1's first and second leg. By the symmetry of the rectangle, v2's first leg
-//              is a long and its second b.
+//   R_alpha    the regular grid of which v1 and v2 are opposite corners (Lemma 7.8). It is a segment if d1 or d2 is 0.
+//   leg        a separatrix that runs along R_alpha. Each of the two vertices has two legs. The first leg comes before the
+//              second one counter-clockwise, and R_alpha lies between them.
+//   outward    every other separatrix. Those of v1 follow its second leg counter-clockwise.
+//   d1, d2     the extents of R_alpha: d1 along the second leg of v1, d2 along its first leg. They are the d1 and d2 of
+//              the paper's side-length equations, with sides and outward separatrices numbered counter-clockwise.
 //
-//              y ------------ v2            first leg of v1: v1 -> x, length a
-//              |   R_alpha    | b           second leg of v1: v1 -> y, length b
-//              v1 ----------- x             first leg of v2: v2 -> y, length a
-//                     a                     second leg of v2: v2 -> x, length b
+//              y ------------ v2            first leg of v1: v1 -> x, length d2
+//              |   R_alpha    | d1          second leg of v1: v1 -> y, length d1
+//              v1 ----------- x             first leg of v2: v2 -> y, length d2
+//                     d2                    second leg of v2: v2 -> x, length d1
 //
-// The numbers d1, d2 of the paper's side-length equations are d1 = b and d2 = a, with sides and outward separatrices
-// numbered counter-clockwise; theory/ has those equations and this header does not need them.
-// A segment of length d has two frames: (a, b) = (d, 0), where the segment is the first leg, and (0, d), where it is the
-// second. (0, 0) with one vertex is the merged pair.
+// A rectangle looks the same from v2: its first leg is d2 long, its second leg d1.
+// A segment of length d has two frames: (d1, d2) = (0, d), where it is the first leg, and (d, 0), where it is the second.
+// (0, 0) with v1 = v2 is the merged pair.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,38 +27,53 @@
 namespace requad::mesh {
 
 struct PairFrame {
-  HalfEdgeId first_leg;   // out of v1, in the direction of the first leg, even if a = 0
+  HalfEdgeId first_leg;   // out of v1, in the direction of the first leg, even if d2 = 0
   HalfEdgeId second_leg;  // out of v1, counter-clockwise next of first_leg
   VertexId v1;
   VertexId v2;
-  int a = 0;
-  int b = 0;
+  int d1 = 0;
+  int d2 = 0;
 
-  bool degenerate() const { return a == 0 || b == 0; }
+  bool merged() const { return v1 == v2; }
+  bool degenerate() const { return d1 == 0 || d2 == 0; }
+  int distance() const { return d1 + d2; }  // in edges, from v1 to v2
   friend bool operator==(const PairFrame&, const PairFrame&) = default;
 };
 
-// The half-edge by which a straight walk of `steps` edges, h the first, arrives; nothing if a vertex before the end is
-// irregular or on the boundary. steps >= 1. O(steps).
+// Goes straight on for `steps` edges, of which h is the first; steps >= 1. Returns the last half-edge, or nothing if a
+// vertex before the end is irregular or on the boundary. O(steps).
 std::optional<HalfEdgeId> walk(const QuadMesh& mesh, HalfEdgeId h, int steps);
 
-// The frame with these extents whose first leg starts with h, if R_alpha's two boundary paths are there. a + b >= 1.
-std::optional<PairFrame> frame_at(const QuadMesh& mesh, HalfEdgeId first_leg, int a, int b);
+// The frame with these extents and this first leg, or nothing if R_alpha's two boundary paths do not lead to one vertex
+// over regular vertices. Precondition: d1 + d2 >= 1. O(d1 + d2).
+std::optional<PairFrame> frame_at(const QuadMesh& mesh, HalfEdgeId first_leg, int d1, int d2);
 
-// All frames of the pair, seen from v1: one, two for a segment, none if separatrices of the two do not span a
-// rectangle. (More than one rectangle can occur only outside convex regions.) v1 and v2 are interior and of valence
-// >= 3. O(length of v1's and v2's separatrices).
+// All frames of the pair, seen from v1: one for a rectangle, two for a segment, none if the separatrices of v1 and v2
+// span no rectangle. More than one rectangle can occur only outside convex regions. Precondition: v1 and v2 are interior
+// and of valence >= 3. O(length of the separatrices of v1 and v2).
 std::vector<PairFrame> find_frames(const QuadMesh& mesh, VertexId v1, VertexId v2);
 
-// The same frame seen from v2. O(a + b).
+// The same rectangle seen from v2. O(d1 + d2).
 PairFrame seen_from_other_end(const QuadMesh& mesh, const PairFrame& frame);
+// The frame, and the same seen from the other end.
+std::array<PairFrame, 2> both_ends(const QuadMesh& mesh, const PairFrame& frame);
 
-// The outward separatrices at v1, counter-clockwise: l(v1) - 2 of them.
+// The outward separatrices of v1, counter-clockwise: l(v1) - 2 of them.
 std::vector<HalfEdgeId> outward(const QuadMesh& mesh, const PairFrame& frame);
+// The outward separatrices of v1, then those of v2: counter-clockwise round R_alpha, as the paper numbers them. Of a
+// merged pair, all edges of its vertex from first_leg on. O(d1 + d2).
+std::vector<HalfEdgeId> outward_of_both(const QuadMesh& mesh, const PairFrame& frame);
 
-// Lemma 7.8: every quad of R_alpha is there and every vertex of it but v1, v2 is interior and regular; the faces, row by
-// row along the first leg. Nothing if not. O(a b).
-std::optional<std::vector<FaceId>> region_between(const QuadMesh& mesh, const PairFrame& frame);
+// A shortest path from v1 to v2: along v1's first leg, then along v2's second leg backwards. Empty for a merged pair.
+std::vector<HalfEdgeId> path_between(const QuadMesh& mesh, const PairFrame& frame);
+// The closed path round R_alpha, counter-clockwise from v1. A segment is walked there and back. O(d1 + d2).
+std::vector<HalfEdgeId> rim(const QuadMesh& mesh, const PairFrame& frame);
+// The faces of R_alpha, row by row along the first leg; none for a segment. Nothing if R_alpha is not as Lemma 7.8 says:
+// a face is missing, or a vertex other than v1 and v2 is irregular or on the boundary. O(d1 d2 + d1 + d2).
+std::optional<std::vector<FaceId>> grid(const QuadMesh& mesh, const PairFrame& frame);
+// The faces that have a corner on R_alpha, those of R_alpha included: the smallest convex region that holds the pair
+// (Lemma 7.8). In the order of their ids. Precondition: grid() is there, or the pair is merged. O(d1 d2 log(d1 d2)).
+std::vector<FaceId> ring(const QuadMesh& mesh, const PairFrame& frame);
 
 // The number of edges on a shortest path from one vertex to another; -1 if there is none. O(V).
 int graph_distance(const QuadMesh& mesh, VertexId from, VertexId to);

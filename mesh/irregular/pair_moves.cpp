@@ -32,21 +32,21 @@ const char* name(PairStep step) {
 namespace {
 
 struct Extents {
-  int a;
-  int b;
+  int d1;
+  int d2;
 };
 
 // The extents after a step, by the table in the header.
 Extents after(const QuadMesh& m, const PairMove& move) {
   const int l1 = m.valence(move.frame.v1);
   const int l2 = m.valence(move.frame.v2);
-  if (move.frame.v1 != move.frame.v2 && l1 != l2) return {move.frame.a, move.frame.b};
+  if (move.frame.v1 != move.frame.v2 && l1 != l2) return {move.frame.d1, move.frame.d2};
   const int sign = l1 == 3 || l1 == 2 ? 1 : -1;
   switch (move.step) {
-    case PairStep::slide_first: return {move.frame.a - sign, move.frame.b + sign};
-    case PairStep::slide_second: return {move.frame.a + sign, move.frame.b - sign};
-    case PairStep::open: return {move.frame.a - sign, move.frame.b - sign};
-    case PairStep::close: return {move.frame.a + sign, move.frame.b + sign};
+    case PairStep::slide_first: return {move.frame.d1 + sign, move.frame.d2 - sign};
+    case PairStep::slide_second: return {move.frame.d1 - sign, move.frame.d2 + sign};
+    case PairStep::open: return {move.frame.d1 - sign, move.frame.d2 - sign};
+    case PairStep::close: return {move.frame.d1 + sign, move.frame.d2 + sign};
   }
   return {-1, -1};
 }
@@ -239,14 +239,14 @@ struct Ends {
 template <class Performer>
 Ends slide(Passage<Performer>& passage, PairFrame frame, Hand hand) {
   const QuadMesh& m = passage.mesh();
-  const auto along = [hand](const PairFrame& f) { return hand == Hand::left ? f.a : f.b; };
+  const auto along = [hand](const PairFrame& f) { return hand == Hand::left ? f.d2 : f.d1; };
   const auto is_v3 = [&m](VertexId v) { return m.valence(v) == 3; };
   // A v5 can not start by a collapse, which is all there is to do if the leg has no length: start at the other end.
   if (!is_v3(frame.v1) && is_v3(frame.v2) && along(frame) == 0) frame = seen_from_other_end(m, frame);
   const bool from_v3 = is_v3(frame.v1);
   const bool to_v3 = is_v3(frame.v2);
   const int forward = along(frame) - (from_v3 ? 1 : 0) + (to_v3 ? 0 : 1);
-  const int sideways = hand == Hand::left ? frame.b : frame.a;
+  const int sideways = hand == Hand::left ? frame.d1 : frame.d2;
 
   if (from_v3) {
     passage.start(hand == Hand::left ? frame.first_leg : frame.second_leg);
@@ -267,7 +267,7 @@ template <class Performer>
 Ends open(Passage<Performer>& passage, const PairFrame& frame) {
   const QuadMesh& m = passage.mesh();
   if (m.valence(frame.v1) == 3) {
-    if (frame.a == 1 && frame.b == 1) {
+    if (frame.d2 == 1 && frame.d1 == 1) {
       // The path v1 - x - v2 turns, so the part of x on the inner side is left with valence 2: the merged vertex.
       const HalfEdgeId to_v2 = QuadMesh::next(frame.first_leg);
       passage.run({BasicOperation::Kind::split, to_v2, frame.first_leg, 0});
@@ -275,12 +275,12 @@ Ends open(Passage<Performer>& passage, const PairFrame& frame) {
       return {merged, merged};
     }
     // The first split must be straight: take the longer leg first.
-    const bool first = frame.a >= 2;
+    const bool first = frame.d2 >= 2;
     passage.start(first ? frame.first_leg : frame.second_leg);
     const VertexId p = passage.v5();
     const Hand hand = first ? Hand::right : Hand::left;
-    passage.split(hand, (first ? frame.a : frame.b) - 1);
-    passage.split(other(hand), first ? frame.b : frame.a);
+    passage.split(hand, (first ? frame.d2 : frame.d1) - 1);
+    passage.split(other(hand), first ? frame.d1 : frame.d2);
     return {p, passage.v3()};
   }
   // From a v5 the courier comes in by the middle outward separatrix; a merged pair has only that.
@@ -288,8 +288,8 @@ Ends open(Passage<Performer>& passage, const PairFrame& frame) {
   const bool to_v5 = m.valence(frame.v2) != 3;
   passage.start(m.twin(merged ? frame.first_leg : m.ccw(m.ccw(frame.second_leg))));
   const VertexId p = passage.v3();
-  passage.split(Hand::right, frame.a);
-  passage.split(Hand::left, frame.b);
+  passage.split(Hand::right, frame.d2);
+  passage.split(Hand::left, frame.d1);
   // A v5 that the courier's v5 reached has valence 6; parted evenly it is regular, and the far end of the path is q.
   if (to_v5) passage.split(Hand::left, 1, 3);
   return {p, to_v5 ? passage.v5() : passage.v3()};
@@ -311,13 +311,13 @@ Ends close(Passage<Performer>& passage, PairFrame frame) {
     passage.start(m.ccw(frame.second_leg));
     const VertexId p = passage.v5();
     // Past a v3 on its far side, onto a v5 directly.
-    const bool right_first = to_v3 && frame.a >= 1;
+    const bool right_first = to_v3 && frame.d2 >= 1;
     if (right_first) {
-      passage.collapse(Hand::right, frame.b + 1);
-      passage.collapse(Hand::left, frame.a);
+      passage.collapse(Hand::right, frame.d1 + 1);
+      passage.collapse(Hand::left, frame.d2);
     } else {
-      passage.collapse(Hand::left, frame.a + (to_v3 ? 1 : 0));
-      passage.collapse(Hand::right, frame.b);
+      passage.collapse(Hand::left, frame.d2 + (to_v3 ? 1 : 0));
+      passage.collapse(Hand::right, frame.d1);
     }
     return {p, to_v3 ? passage.v3() : passage.v5()};
   }
@@ -328,9 +328,9 @@ Ends close(Passage<Performer>& passage, PairFrame frame) {
   const HalfEdgeId courier = m.twin(keep);
   passage.run({BasicOperation::Kind::collapse, keep, {}, 0});
   passage.start(courier);
-  if (frame.a == 1 && frame.b == 1) return {p, p};
-  passage.collapse(Hand::left, frame.a - 1);
-  passage.collapse(Hand::right, frame.b - 1);
+  if (frame.d2 == 1 && frame.d1 == 1) return {p, p};
+  passage.collapse(Hand::left, frame.d2 - 1);
+  passage.collapse(Hand::right, frame.d1 - 1);
   return {p, passage.v5()};
 }
 
@@ -345,14 +345,14 @@ std::optional<PairFrame> frame_after(const QuadMesh& m, Ends ends, Extents exten
       return;
     }
     // One way round the rectangle tells the legs from the other edges; the other way is for the one that has arrived.
-    std::optional<HalfEdgeId> way = extents.a > 0 ? walk(m, h, extents.a) : m.ccw(h);
-    if (way && extents.a > 0 && extents.b > 0) {
-      way = m.is_boundary(m.target(*way)) ? std::nullopt : walk(m, QuadMesh::next(*way), extents.b);
-    } else if (extents.b > 0) {
-      way = walk(m, m.ccw(h), extents.b);
+    std::optional<HalfEdgeId> way = extents.d2 > 0 ? walk(m, h, extents.d2) : m.ccw(h);
+    if (way && extents.d2 > 0 && extents.d1 > 0) {
+      way = m.is_boundary(m.target(*way)) ? std::nullopt : walk(m, QuadMesh::next(*way), extents.d1);
+    } else if (extents.d1 > 0) {
+      way = walk(m, m.ccw(h), extents.d1);
     }
     if (!way || m.target(*way) != ends.q) return;
-    found = frame_at(m, h, extents.a, extents.b);
+    found = frame_at(m, h, extents.d1, extents.d2);
     if (found && found->v2 != ends.q) found.reset();
   });
   return found;
@@ -373,7 +373,7 @@ std::vector<PairMove> pair_moves(const QuadMesh& m, VertexId v1, VertexId v2) {
     for (const PairStep step : kPairSteps) {
       const PairMove move{frame, step};
       const Extents to = after(m, move);
-      if (to.a >= 0 && to.b >= 0) moves.push_back(move);
+      if (to.d2 >= 0 && to.d1 >= 0) moves.push_back(move);
     }
     if (l1 != l2) break;  // both frames of a segment describe the same four translations
   }
@@ -407,7 +407,7 @@ Carried carry(Passage<Performer>& passage, const PairMove& move) {
   Carried result{{}, after(m, move)};
   const bool merged = frame.v1 == frame.v2;
   const bool parts = merged && move.step == (m.valence(frame.v1) == 2 ? PairStep::close : PairStep::open);
-  if (result.extents.a < 0 || result.extents.b < 0 || (merged && !parts)) {
+  if (result.extents.d2 < 0 || result.extents.d1 < 0 || (merged && !parts)) {
     passage.refuse(Refusal::no_such_step);
     return result;
   }

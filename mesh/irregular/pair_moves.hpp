@@ -1,29 +1,31 @@
 // The three pair-wise movement operations of section 6 (3-3, 5-5, 3-5), as one mechanism.
 //
 // How a move works. A move starts at one vertex p of the pair and ends at the other, q. Its first basic operation moves p
-// by one edge and leaves behind an adjacent 3-5 pair, the courier. Each further operation carries the courier on by one
-// face or edge; the last one lets it collide with q, which moves by one edge. Seen along the courier's direction v3 -> v5,
-// there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is the same
-// operation with p in the role of the courier's v3 (or v5), the last the same with q in the role of the vertex to change.
+// by one edge and leaves an adjacent 3-5 pair behind. Each further operation transports this adjacent pair by one face or
+// edge. The last one lets it collide with q, which moves by one edge. Seen along the adjacent pair, from its v3 to its
+// v5, there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is the same
+// operation with p in the role of the adjacent pair's v3 (or v5), the last is the same with q in the role of the vertex
+// that is to change.
 //
-// The four steps. Two slides carry the courier along R_alpha with one hand: forward by splits, sideways by collapses, and
-// diagonally by flips, which save a split and a collapse each. Two more, open and close, use splits only or collapses
-// only, with both hands, along any monotone path of R_alpha's boundary from p to q.
+// The four steps. Two slides transport the adjacent pair along R_alpha on one hand: forward by splits, sideways by
+// collapses, and diagonally by flips, each of which saves a split and a collapse. Two more, open and close, use only
+// splits or only collapses, on both hands, along any monotone path of R_alpha's boundary from p to q.
 //
-//   step          changes (a, b) of a 3-3 pair   of a 5-5 pair   moves a 3-5 pair (frame.v1 is the v5) towards
-//   slide_first          (-1,+1)                    (+1,-1)       the side of v1's first outward separatrix
-//   slide_second         (+1,-1)                    (-1,+1)       the side of v1's last outward separatrix
-//   open                 (-1,-1)                    (+1,+1)       the side of v1's middle outward separatrix
-//   close                (+1,+1)                    (-1,-1)       the side of v2's outward separatrix
+//   step           changes (d1, d2) of a 3-3 pair   of a 5-5 pair   moves a 3-5 pair (frame.v1 is the v5) towards
+//   slide_first           (+1, -1)                    (-1, +1)      the side of v1's first outward separatrix
+//   slide_second          (-1, +1)                    (+1, -1)      the side of v1's last outward separatrix
+//   open                  (-1, -1)                    (+1, +1)      the side of v1's middle outward separatrix
+//   close                 (+1, +1)                    (-1, -1)      the side of v2's outward separatrix
 //
-// Law P3 (faces). With c = -1, +1, 0 for 3-3, 5-5, 3-5 the mesh gains a - b + c faces by slide_first, b - a + c by
-// slide_second, a + b + c by open, and loses a + b - c by close: the length of the connecting path.
+// Law irregular-11 (faces, claim P3). Let c be -1, +1, 0 for a 3-3, 5-5, 3-5 pair. The mesh gains d2 - d1 + c faces by
+// slide_first, d1 - d2 + c by slide_second and d1 + d2 + c by open; it loses d1 + d2 - c by close. This is the length of
+// the connecting path.
 //
-// Law P5 (locality). A move changes no valence outside the smallest convex region that holds the pair before and after,
-// and never one on the boundary of the mesh, not even on its way.
+// Law irregular-12 (locality, claim N4). A move changes no valence outside the smallest convex region that holds the
+// pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
 //
-// Costs: max(a, b) + O(1) basic operations for a slide, a + b + O(1) for open and close, whatever the mesh; the report's
-// frame takes walks of a + b edges, and no operation.
+// Costs: max(d1, d2) + O(1) basic operations for a slide, d1 + d2 + O(1) for open and close, whatever the size of the
+// mesh. The frame in the report takes walks of d1 + d2 edges and no operation.
 #pragma once
 
 #include <array>

@@ -144,27 +144,9 @@ void MeshPicture::irregular(Canvas& canvas, double radius) const {
 }
 
 std::vector<FaceId> MeshPicture::between(const mesh::PairFrame& frame) const {
-  return mesh::region_between(mesh(), frame).value_or(std::vector<FaceId>{});
+  return mesh::grid(mesh(), frame).value_or(std::vector<FaceId>{});
 }
 
-std::vector<FaceId> MeshPicture::ring(const mesh::PairFrame& frame) const {
-  std::vector<bool> on(static_cast<std::size_t>(mesh().vertex_capacity()), false);
-  on[frame.v1.slot()] = true;
-  for (const FaceId f : between(frame)) {
-    for (const VertexId v : mesh().corners(f)) on[v.slot()] = true;
-  }
-  // A segment has no faces.
-  HalfEdgeId h = frame.a > 0 ? frame.first_leg : frame.second_leg;
-  for (int i = frame.degenerate() ? frame.a + frame.b : 0; i > 0; --i) {
-    on[mesh().target(h).slot()] = true;
-    if (i > 1) h = mesh().straight(h);
-  }
-  std::vector<FaceId> result;
-  for (const FaceId f : mesh().faces()) {
-    const auto c = mesh().corners(f);
-    if (std::any_of(c.begin(), c.end(), [&on](VertexId v) { return on[v.slot()]; })) result.push_back(f);
-  }
-  return result;
-}
+std::vector<FaceId> MeshPicture::ring(const mesh::PairFrame& frame) const { return mesh::ring(mesh(), frame); }
 
 }  // namespace requad::pictures

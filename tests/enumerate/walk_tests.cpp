@@ -83,7 +83,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
     for (const enumerate::LabelledFrame& f : reading.frames) {
       // In frame order, as Law 5 has it.
       std::vector<theory::Crossing> at_v1, at_v2;
-      for (const mesh::PairFrame& frame : {f.frame, mesh::seen_from_other_end(entry.region.mesh, f.frame)}) {
+      for (const mesh::PairFrame& frame : mesh::both_ends(entry.region.mesh, f.frame)) {
         auto& at = at_v1.empty() ? at_v1 : at_v2;
         mesh::HalfEdgeId h = frame.first_leg;
         do {

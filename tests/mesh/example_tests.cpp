@@ -256,8 +256,8 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (const PairFrame& frame : find_frames(cap.mesh, threes[i], threes[j])) {
-        if (frame.b != 0) continue;
-        CHECK(frame.a == 6);
+        if (frame.d1 != 0) continue;
+        CHECK(frame.d2 == 6);
         ++joined;
       }
     }

@@ -56,17 +56,17 @@ TEST_CASE("frames: extents, both ends, R_alpha", "[region]") {
     const auto frames = find_frames(m, irregular[0], irregular[1]);
     REQUIRE(frames.size() == (entry.configuration.degenerate() ? 2U : 1U));
     for (const PairFrame& f : frames) {
-      REQUIRE(f.a + f.b == entry.configuration.d1() + entry.configuration.d2());
-      REQUIRE(std::abs(f.a - f.b) == std::abs(entry.configuration.d1() - entry.configuration.d2()));
+      REQUIRE(f.d1 + f.d2 == entry.configuration.d1() + entry.configuration.d2());
+      REQUIRE(std::abs(f.d1 - f.d2) == std::abs(entry.configuration.d1() - entry.configuration.d2()));
       const PairFrame other = seen_from_other_end(m, f);
       REQUIRE(other.v1 == f.v2);
-      REQUIRE(frame_at(m, other.first_leg, f.a, f.b) == other);
+      REQUIRE(frame_at(m, other.first_leg, f.d1, f.d2) == other);
       REQUIRE(seen_from_other_end(m, other) == f);
-      const auto faces = region_between(m, f);
+      const auto faces = grid(m, f);
       REQUIRE(faces.has_value());
-      REQUIRE(static_cast<int>(faces->size()) == f.a * f.b);
+      REQUIRE(static_cast<int>(faces->size()) == f.d1 * f.d2);
       REQUIRE(static_cast<int>(outward(m, f).size()) == m.valence(f.v1) - 2);
-      REQUIRE(graph_distance(m, f.v1, f.v2) == f.a + f.b);
+      REQUIRE(graph_distance(m, f.v1, f.v2) == f.distance());
     }
   }
 }

@@ -155,7 +155,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("P2", hexagon, other_d1);
   fails("P3", hexagon, [&](Study& x) { ++first_made(x).faces_made; });
   fails("P3", digon, [](Study& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
-  fails("P3", quad, [&](Study& x) { ++first_made(x).move.frame.a; });
+  fails("P3", quad, [&](Study& x) { ++first_made(x).move.frame.d2; });
   fails("N4", hexagon, [&](Study& x) { ++first_made(x).operations; });
   fails("N4", quad, [&](Study& x) { std::swap(first_made(x).before, first_made(x).after); });
   fails("G1", digon, [](Study& x) {
@@ -172,7 +172,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     x.found.nodes[0].region.mesh = mesh::QuadMesh::from_arrays_unchecked(twin, origin, out);
   });
   fails("L8", digon, [](Study& x) { x.found.nodes[0].reading.frames.push_back(x.found.nodes[0].reading.frames[0]); });
-  fails("L8", hexagon, [](Study& x) { ++x.found.nodes[0].reading.frames[0].frame.a; });
+  fails("L8", hexagon, [](Study& x) { ++x.found.nodes[0].reading.frames[0].frame.d2; });
   fails("L9", digon, [](Study& x) {
     // An L of three quads: five corners, no curvature.
     x.found.nodes[0].region = {mesh::QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}),

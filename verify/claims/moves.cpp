@@ -101,14 +101,14 @@ Judgement judge_faces(const Study& s) {
       return "the reported faces are not those by which the mesh grew";
     if (move.faces_made > 0 && move.faces_deleted > 0) return "the move both makes and deletes faces";
     const Integer c = is_quad(s) ? 0 : is_digon(s) ? -1 : 1;
-    const Integer a = move.move.frame.a;
-    const Integer b = move.move.frame.b;
+    const Integer d1 = move.move.frame.d1;
+    const Integer d2 = move.move.frame.d2;
     Integer law = 0;
     switch (move.move.step) {
-      case mesh::PairStep::slide_first: law = a - b + c; break;
-      case mesh::PairStep::slide_second: law = b - a + c; break;
-      case mesh::PairStep::open: law = a + b + c; break;
-      case mesh::PairStep::close: law = -(a + b - c); break;
+      case mesh::PairStep::slide_first: law = d2 - d1 + c; break;
+      case mesh::PairStep::slide_second: law = d1 - d2 + c; break;
+      case mesh::PairStep::open: law = d1 + d2 + c; break;
+      case mesh::PairStep::close: law = -(d1 + d2 - c); break;
     }
     return change == law ? ""
                          : "the mesh grows by " + std::to_string(change) + " faces, the connecting path says " +

@@ -24,27 +24,12 @@ std::string check_gauss_bonnet(const FoundNode& node) {
   return left == right ? "" : "turns and indices sum to " + std::to_string(left) + ", not " + std::to_string(right);
 }
 
-// The faces that touch R_alpha (whose own faces are given), as a region of their own; the root at any corner.
-Region ring_of(const Region& region, const mesh::PairFrame& frame, const std::vector<mesh::FaceId>& r_alpha) {
+// The faces that touch R_alpha, as a region of their own, rooted at any corner.
+Region ring_of(const Region& region, const mesh::PairFrame& frame) {
   const auto& m = region.mesh;
-  std::set<mesh::VertexId> core{frame.v1, frame.v2};
-  for (const mesh::FaceId f : r_alpha) {
-    for (const mesh::VertexId v : m.corners(f)) core.insert(v);
-  }
-  if (frame.degenerate()) {
-    mesh::HalfEdgeId h = frame.a == 0 ? frame.second_leg : frame.first_leg;
-    for (int i = 0; i < frame.a + frame.b; ++i, h = m.straight(h)) {
-      core.insert(m.target(h));
-      if (m.target(h) == frame.v2) break;
-    }
-  }
-  std::set<mesh::FaceId> faces;
-  for (const mesh::VertexId v : core) {
-    m.for_each_out(v, [&](mesh::HalfEdgeId h) { faces.insert(mesh::QuadMesh::face(h)); });
-  }
   std::map<mesh::VertexId, int> number;
   std::vector<std::array<int, 4>> corners;
-  for (const mesh::FaceId f : faces) {
+  for (const mesh::FaceId f : mesh::ring(m, frame)) {
     std::array<int, 4> c{};
     for (std::size_t k = 0; k < 4; ++k)
       c[k] = number.emplace(m.corners(f)[k], static_cast<int>(number.size())).first->second;
@@ -79,11 +64,11 @@ std::string check_lemma_8(PairType type, const FoundNode& node) {
            std::to_string(expected);
   }
   const mesh::PairFrame& frame = node.reading.frames[0].frame;
-  const auto faces = mesh::region_between(node.region.mesh, frame);
-  if (!faces || faces->size() != static_cast<std::size_t>(frame.a) * static_cast<std::size_t>(frame.b)) {
+  const auto faces = mesh::grid(node.region.mesh, frame);
+  if (!faces || faces->size() != static_cast<std::size_t>(frame.d1) * static_cast<std::size_t>(frame.d2)) {
     return "R_alpha is not a regular grid of its size";
   }
-  const Region ring = ring_of(node.region, frame, *faces);
+  const Region ring = ring_of(node.region, frame);
   if (const std::string problem = mesh::region_problem(ring); !problem.empty())
     return "the 1-ring of R_alpha: " + problem;
   Configuration smallest = c;
@@ -153,7 +138,7 @@ Judgement judge_theorem_11(const Study& s) {
     if (!s.found.holds_pair(static_cast<int>(i))) continue;
     std::vector<std::pair<int, int>> least;
     for (const auto& labelled : node.reading.frames) {
-      for (const auto& frame : {labelled.frame, mesh::seen_from_other_end(node.region.mesh, labelled.frame)}) {
+      for (const auto& frame : mesh::both_ends(node.region.mesh, labelled.frame)) {
         std::vector<std::pair<int, int>> vector;
         for (const auto& at : enumerate::separatrix_vector(node.region, frame))
           vector.emplace_back(at.side, at.distance);
