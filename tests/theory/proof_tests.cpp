@@ -23,7 +23,7 @@ Rational value(const Polynomial& p, Integer at) {
   return sum;
 }
 
-// The polygon of a regular region, as proofs.cpp has it.
+// The polygon of a regular region, as regular_regions.cpp has it.
 Polytope regular_polygon(PairType type) {
   const SideLaw law = side_law(type);
   const int k = type.side_count();
@@ -141,7 +141,7 @@ TEST_CASE("every proof goes through, with steps that compute", "[proofs]") {
   CHECK_FALSE(Proof{}.proved());
 }
 
-// Law 5: with false premises a proof must not go through.
+// proofs-2: with false premises a proof does not go through.
 TEST_CASE("no proof goes through on false premises", "[proofs]") {
   SECTION("T1") {
     SingleVertexPremises p = single_vertex_premises();

@@ -102,7 +102,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 
 namespace {
 
-// Appends "+ c factors", with the sign and the coefficient as one writes them.
+// Appends "+ c factors". The sign stands between the terms, and a coefficient 1 is left out.
 void append_term(std::string& out, const Rational& c, const std::string& factors) {
   out += out.empty() ? (c < 0 ? "-" : "") : (c < 0 ? " - " : " + ");
   const Rational size = c < 0 ? -c : c;
@@ -195,7 +195,7 @@ RationalMatrix to_rational(const IntegerMatrix& matrix) {
 
 namespace {
 
-// Gauss-Jordan on the first `columns` columns, in place; the number of pivots.
+// Gauss-Jordan elimination on the first `columns` columns, in place. Returns the number of pivots.
 int reduce(RationalMatrix& m, std::size_t columns) {
   std::size_t pivots = 0;
   for (std::size_t c = 0; c < columns && pivots < m.size(); ++c) {

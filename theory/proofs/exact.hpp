@@ -1,8 +1,10 @@
-// Exact arithmetic for proofs: rational numbers, polynomials with such coefficients, linear systems.
+// Exact arithmetic for proofs: rational numbers, polynomials with rational coefficients, linear systems.
 //
-// Law 6   nothing here rounds, and what does not fit 64 bits throws std::overflow_error: an equality that it finds is
-// one. The systems are the paper's (a dozen unknowns, coefficients 0, 1 and 2), whose numbers stay tiny; nothing is
-// tuned for more.
+// proofs-1   Nothing here rounds. A result that does not fit 64 bits throws std::overflow_error, so an equality that is
+//            found is true.
+//
+// The systems are the paper's: a dozen unknowns, coefficients 0, 1 and 2. Their numbers stay tiny, and nothing here is
+// tuned for larger ones.
 #pragma once
 
 #include <compare>
@@ -14,7 +16,7 @@
 
 namespace requad::theory {
 
-// A fraction in lowest terms, its denominator positive.
+// A fraction in lowest terms, with a positive denominator.
 class Rational {
  public:
   Rational() = default;
@@ -26,9 +28,9 @@ class Rational {
   Integer numerator() const { return numerator_; }
   Integer denominator() const { return denominator_; }
   bool is_integer() const { return denominator_ == 1; }
-  // Half an odd integer.
+  // True for half an odd integer.
   bool is_odd_half() const { return denominator_ == 2; }
-  // The greatest integer that is not above it.
+  // The greatest integer that is not greater than the fraction.
   Integer floor() const;
   // "-3/2".
   std::string text() const;
@@ -54,7 +56,7 @@ class Rational {
 using RationalVector = std::vector<Rational>;
 using RationalMatrix = std::vector<RationalVector>;  // rows
 
-// A polynomial in x_0, x_1, ..., kept without zero terms: equal polynomials are equal objects.
+// A polynomial in x_0, x_1, ... No zero term is stored, so equal polynomials are equal objects.
 class Polynomial {
  public:
   Polynomial() = default;
@@ -63,7 +65,7 @@ class Polynomial {
   Polynomial(int constant) : Polynomial(Rational(constant)) {}      // NOLINT(google-explicit-constructor)
   static Polynomial variable(std::size_t index);
 
-  // Of one term, by its exponents (trailing zeros may be left out).
+  // The coefficient of the term with these exponents. Trailing zeros may be left out.
   Rational coefficient(std::vector<int> exponents) const;
   bool is_constant() const;
 
@@ -74,21 +76,21 @@ class Polynomial {
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   friend bool operator==(const Polynomial&, const Polynomial&) = default;
 
-  // "1/2 L^2 - L", highest terms first; names[i] is how x_i is written.
+  // "1/2 L^2 - L": terms of highest degree first, with names[i] for x_i.
   std::string text(const std::vector<std::string>& names) const;
 
  private:
   std::map<std::vector<int>, Rational> terms_;  // exponents without trailing zeros -> coefficient, never 0
 };
 
-// The polynomial in x_0 of least degree through these points. Precondition: the arguments are distinct.
+// The polynomial f in x_0 of least degree with f(at[i]) = values[i]. Precondition: the entries of `at` are distinct.
 Polynomial interpolate(const std::vector<Integer>& at, const std::vector<Integer>& values);
 
-// Polynomials in one variable as coefficient lists, constant first, leading coefficient not 0; {} is 0.
+// A polynomial in one variable as its coefficients, the constant first. The last one is not 0; {} is the polynomial 0.
 using Coefficients = std::vector<Rational>;
-// Remainder of a by b. Precondition: b is not 0.
+// The remainder of a divided by b. Precondition: b is not 0.
 Coefficients remainder(Coefficients a, const Coefficients& b);
-// Monic greatest common divisor, by Euclid. Precondition: not both 0.
+// The monic greatest common divisor, by Euclid. Precondition: a and b are not both 0.
 Coefficients greatest_common_divisor(Coefficients a, Coefficients b);
 std::string text(const Coefficients& p, const std::string& variable);
 

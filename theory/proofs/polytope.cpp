@@ -9,7 +9,7 @@ namespace requad::theory {
 
 namespace {
 
-// Rows of A that span the others: A x = b is these rows, once the system is known to have a solution.
+// A largest independent set of rows of A. Where A x = b has a solution, these rows alone have the same solutions.
 std::vector<Eigen::Index> spanning_rows(const IntegerMatrix& a) {
   std::vector<Eigen::Index> rows;
   RationalMatrix chosen;
@@ -25,10 +25,10 @@ std::vector<Eigen::Index> spanning_rows(const IntegerMatrix& a) {
   return rows;
 }
 
-// A x = b solved for the basic unknowns once the others are given.
+// The columns of some unknowns, inverted: it solves A x = b for these (the basic ones) once the others are given.
 class Basis {
  public:
-  // Nothing if the columns are dependent. Precondition: as many columns as rows.
+  // Returns nothing if the columns are dependent. Precondition: there are as many columns as rows.
   static std::optional<Basis> of(const Polytope& p, const std::vector<Eigen::Index>& rows,
                                  std::vector<Eigen::Index> columns) {
     RationalMatrix square(rows.size());
@@ -48,7 +48,7 @@ class Basis {
 
   const std::vector<Eigen::Index>& free() const { return free_; }
 
-  // The x with L b and these values of the free unknowns; nothing if some row outside rows_ is violated.
+  // The x with A x = L b and these values of the free unknowns. Returns nothing if it violates a row outside rows_.
   std::optional<RationalVector> solve(Integer dilation, const std::vector<Integer>& free_values) const {
     RationalVector rhs;
     for (const Eigen::Index r : rows_) {
@@ -77,7 +77,7 @@ class Basis {
   RationalMatrix inverse_;
 };
 
-// Every basis of P's system, until visit(basis) says stop by returning true.
+// Calls visit(basis) for every basis of the system of P, until it returns true.
 template <class Visit>
 void for_each_basis(const Polytope& p, Visit&& visit) {
   const std::vector<Eigen::Index> rows = spanning_rows(p.a);
@@ -156,7 +156,7 @@ Integer count_lattice_points(const Polytope& p, Integer dilation) {
       if (i == values.size()) break;
       ++values[i];
     }
-    return true;  // any one basis will do
+    return true;  // one basis is enough
   });
   return count;
 }

@@ -1,16 +1,16 @@
-// Proofs by exact arithmetic: claims that linear algebra decides for every size, beside the instances that
-// requad-verify runs through.
+// Proofs by exact arithmetic, of the claims that linear algebra decides for every size. They stand beside the instances
+// that requad-verify checks one by one.
 //
-// A proof starts from Law 1 (pair_system.hpp), which ties the strips e_i to the sides of a region; that Law 1 describes
-// the meshes, and that every positive solution is realised by one, is what the paper's lemmas say and what the
-// instances check. From there on each step is either an argument that a reader can follow, or an exact computation
-// (exact.hpp) whose outcome decides whether the step holds.
+// A proof starts from the side law, theory-1 (pair_system.hpp), which ties the strips e_i to the sides of a region. That
+// the side law describes the meshes, and that a mesh realises every positive solution, is what the paper's lemmas say
+// and what the instances check. From there on each step is either an argument that a reader can follow, or an exact
+// computation (exact.hpp) whose outcome decides whether the step holds.
 //
-// Law 5   every proof takes what it is about as premises: the system, and the formula that the paper states. The
-//         defaults are the program's own (PairSystem, tau_from_half, face_formula), so that the proof is about what the
-//         checks use; with any other premises a false statement must come out unproved.
+// proofs-2   Every proof takes what it is about as premises: the system, and the formula that the paper states. The
+//            defaults are the program's own (PairSystem, tau_from_half, face_formula), so the proof is about what the
+//            checks use. With false premises a proof does not go through.
 //
-// Cost: each takes milliseconds.
+// Cost: each proof takes milliseconds.
 #pragma once
 
 #include <functional>
@@ -25,24 +25,24 @@ namespace requad::theory {
 
 struct ProofStep {
   std::string text;
-  bool computed = false;  // decided by a computation; else an argument
-  bool holds = true;      // of a computed step
+  bool computed = false;  // true if a computation decides the step, false for an argument
+  bool holds = true;      // the outcome of the computation; true for an argument
 };
 
 struct Proof {
-  std::string claim;  // of the claims ledger
-  std::string range;  // what it is proved for: "all L >= 1"
+  std::string claim;  // its id: "T2"
+  std::string range;  // the sizes that it is for: "all L >= 1"
   std::string statement;
-  std::vector<std::string> premises;  // what it takes from elsewhere
+  std::vector<std::string> premises;  // what the proof takes from elsewhere
   std::vector<ProofStep> steps;
 
-  // Every computed step holds, and there is one.
+  // True if there is a computed step and every one holds.
   bool proved() const;
-  // Text of the first step that does not hold, "" if there is none.
+  // The text of the first step that does not hold, or "".
   std::string failure() const;
 };
 
-// Law 1 as a proof takes it.
+// The side law as a proof takes it: E = strips e + d1 first + d2 last.
 struct SideLaw {
   PairType type;
   IntegerMatrix strips;
@@ -51,33 +51,33 @@ struct SideLaw {
 };
 SideLaw side_law(PairType type);
 
-// T1: uniqueness for every valence that 4 does not divide, (L-1)^2 strips for every other in a regular region of side
-// L.
+// T1: the strips are unique for every valence that 4 does not divide. For the other valences a regular region of side L
+// has (L-1)^2 systems of strips.
 struct SingleVertexPremises {
-  std::function<IntegerMatrix(int)> matrix;  // of E_i = e_{i-1} + e_{i+1} for a valence
+  std::function<IntegerMatrix(int)> matrix;  // of E_i = e_{i-1} + e_{i+1}, by valence
   Coefficients symbol{1, 0, 1};              // 1 + x^2: what the circulant is, times x, modulo x^l - 1
   Polynomial sharp_count;                    // in L
 };
 SingleVertexPremises single_vertex_premises();
 Proof prove_single_vertex(const SingleVertexPremises& premises = single_vertex_premises());
 
-// T11: sides and (d1, d2) determine the strips where 4 does not divide k; in a 3-5 region the sides determine (d1, d2),
-// and (e1, e2) the other strips.
+// T11: where 4 does not divide k, the sides and (d1, d2) determine the strips. In a 3-5 region the sides determine
+// (d1, d2), and with (e1, e2) the other strips.
 Proof prove_strips_determined(const std::vector<SideLaw>& laws = {side_law(kDigon), side_law(kHexagon),
                                                                   side_law(kQuad)});
 
 // T2, T3: the parameter set and its size tau(L) for a regular region of every side.
 struct RegularPremises {
   SideLaw law;
-  // Which of d1, d2 must not be 0: (true, false) takes (d,0) and leaves its other labelling (0,d) away (Law 3).
+  // Which of d1 and d2 must not be 0. (true, false) takes (d,0) and leaves out its other labelling (0,d) (theory-3).
   bool d1_positive = true;
   bool d2_positive = false;
-  std::function<Polynomial(const Polynomial& n, bool even)> tau;  // stated, with n for floor(L/2)
+  std::function<Polynomial(const Polynomial& n, bool even)> tau;  // as stated, with n for floor(L/2)
 };
 RegularPremises regular_premises(PairType type);
 Proof prove_regular_count(const RegularPremises& premises);
 
-// T4: exactly M N configurations in every 3-5 region. The stated M and N are polynomials in E1, E2, E3, E4, d1, d2.
+// T4: exactly M N configurations in every 3-5 region. M and N are stated as polynomials in E1, E2, E3, E4, d1, d2.
 struct QuadPremises {
   SideLaw law;
   Polynomial m;
@@ -86,7 +86,7 @@ struct QuadPremises {
 QuadPremises quad_premises();
 Proof prove_quad_count(const QuadPremises& premises = quad_premises());
 
-// P3: the faces that each step (m,n) of the theorems makes, in any region with a pair of the paper's.
+// P3: the number of faces that each step (m,n) of the theorems adds, in any region with one of the paper's three pairs.
 struct FacePremises {
   SideLaw law;
   std::function<Polynomial(const Polynomial& d1, const Polynomial& d2, const std::vector<Polynomial>& e)> faces;
@@ -99,11 +99,11 @@ Proof prove_face_change(const std::vector<FacePremises>& premises = {face_premis
 // N1: a region with a 3-5 pair never has the sides of a regular grid.
 Proof prove_no_cancelling(const SideLaw& law = side_law(kQuad));
 
-// N2: in a regular region of side L, d1 + d2 has the parity of L, and there is room for the merged vertex iff L is
-// even.
+// N2: in a regular region of side L, d1 + d2 has the parity of L, and there is room for the merged vertex exactly if L
+// is even.
 Proof prove_merging_parity(const std::vector<SideLaw>& laws = {side_law(kDigon), side_law(kHexagon)});
 
-// The proof that belongs to a claim of the ledger, with the default premises; nothing for the other claims.
+// The proof of the claim with this id, with the default premises. Returns nothing for a claim that has none.
 std::optional<Proof> proof_of(const std::string& claim);
 
 }  // namespace requad::theory
