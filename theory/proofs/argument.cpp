@@ -7,12 +7,16 @@
 namespace requad::theory {
 
 const char* const kSideLawPremise =
-    "Law 1, E_i = e_{i-1} + e_{i+1} + (d1 at the firsts) + (d2 at the lasts), describes every convex region with "
+    "The side law, E_i = e_{i-1} + e_{i+1} + (d1 at the firsts) + (d2 at the lasts), describes every convex region "
+    "with "
     "the pair, and each solution with all e_i >= 1 is one configuration (Lemmas 7.8-7.14; instances: L8, L10, T11).";
 const char* const kEhrhartPremise =
-    "Ehrhart: the integer points of L P, P a rational polytope, are a quasi-polynomial in L >= 1 of degree <= dim P, "
-    "its period dividing the denominators of P's vertices; also without some of its faces (inclusion and exclusion). "
-    "Beck and Robins, Computing the Continuous Discretely, Theorem 3.23.";
+    "Ehrhart: for a rational polytope P, the number of integer points of L P is a quasi-polynomial in L >= 1. Its "
+    "degree "
+    "is at most dim P, and its period divides the common denominator of the vertices of P. The same holds for P "
+    "without "
+    "some of its faces, by inclusion and exclusion. Beck and Robins, Computing the Continuous Discretely, Theorem "
+    "3.23.";
 
 RationalVector rational_vector(const IntegerVector& v) { return {v.begin(), v.end()}; }
 
@@ -80,10 +84,10 @@ bool segments_agree(PairType type) {
 }  // namespace
 
 void require_segments_agree(Argument& argue, PairType type) {
-  argue.require(
-      segments_agree(type),
-      "A segment has two labellings, (d,0) and (0,d) with the strips shifted by one label (Law 3): their sides "
-      "agree as linear forms in d and all e_i, and each leads back to the other.");
+  argue.require(segments_agree(type),
+                "A segment has two labellings: (d,0), and (0,d) with the strips shifted by one label. Their sides "
+                "agree as linear "
+                "forms in d and all e_i, and each leads back to the other.");
 }
 
 }  // namespace requad::theory

@@ -80,14 +80,15 @@ bool require_one_labelling(Argument& argue, const SideLaw& law) {
   const OppositeSides differences = opposite_sides(law);
   if (!argue.require(differences.strips_cancel && differences.independent(),
                      "The strips cancel in E1 - E3 = " + differences.text(0) + " and E2 - E4 = " + differences.text(1) +
-                         ", which determine d1 and d2: no remeshing changes them.")) {
+                         ". These determine d1 and d2, so no remeshing changes them.")) {
     return false;
   }
   const RationalMatrix rotation = label_rotation(differences.matrix);
   argue.require(is_quarter_turn(rotation) && one_in_quadrant(rotation, law.type.rotation_count()),
-                "Labels one side further turn (d1,d2) into " + list(rotation[0]) + ", " + list(rotation[1]) +
-                    " times it, a quarter turn, so of the four labellings of any sides, opposite ones not both equal, "
-                    "exactly one has d1 > 0 and d2 >= 0. (Eight patterns of signs, all tried.)");
+                "When the labels move one side further, (d1,d2) is multiplied by the rows " + list(rotation[0]) + ", " +
+                    list(rotation[1]) +
+                    ", a quarter turn. So exactly one of the four labellings has d1 > 0 and d2 >= 0, unless both "
+                    "pairs of opposite sides are equal. (All eight patterns of signs were tried.)");
   return true;
 }
 
@@ -100,9 +101,10 @@ Polynomial strip_sum(const SideLaw& law, Eigen::Index row) {
 // Two of the four rows are left: one in e1 and e3, one in e2 and e4.
 bool require_two_rows(Argument& argue, const SideLaw& law) {
   const RationalMatrix rows{{0, 1, 0, 1}, {1, 0, 1, 0}, {0, 1, 0, 1}, {1, 0, 1, 0}};
-  return argue.require(to_rational(law.strips) == rows, "The rows left are e1 + e3 = " + quad_text(strip_sum(law, 1)) +
-                                                            " and e2 + e4 = " + quad_text(strip_sum(law, 0)) +
-                                                            ", independent of each other; the other two say the same.");
+  return argue.require(to_rational(law.strips) == rows,
+                       "The rows left are e1 + e3 = " + quad_text(strip_sum(law, 1)) +
+                           " and e2 + e4 = " + quad_text(strip_sum(law, 0)) +
+                           ". They are independent of each other, and the other two say the same.");
 }
 
 // The number of a, b >= 1 with a + b = s, as a polynomial in s.
@@ -112,8 +114,8 @@ Polynomial require_splits(Argument& argue) {
   const QuasiPolynomial counted = counting_quasi_polynomial(segment, period);
   Polynomial splits = counted.by_residue.front();
   argue.require(surely_bounded(segment) && period == 1,
-                "a + b = s with a, b >= 1 are the points of s times a segment with vertices (1,0), (0,1), without its "
-                "ends: counted at s = " +
+                "The solutions of a + b = s with a, b >= 1 are the points of s times the segment from (1,0) to (0,1), "
+                "without its ends. Counted at s = " +
                     joined(counted.samples, ", ") + ", their number is " + splits.text({"s"}) +
                     " for all s >= 1 (none for s < 1).");
   return splits;
@@ -142,29 +144,31 @@ Proof prove_quad_count(const QuadPremises& premises) {
                   std::string(letter) + " is " + quad_text(found) + "; stated is " + quad_text(stated) + ".");
   }
   argue.say(
-      "Each solution of one row goes with each of the other: K = M N. Sides for which d1 and d2 are not integers, or N "
-      "is negative, have no configuration.");
+      "Each solution of one row goes with each of the other, so K = M N. If d1 and d2 are not integers, or N is "
+      "negative, "
+      "the region has no configuration.");
   return proof;
 }
 
 Proof prove_no_cancelling(const SideLaw& law) {
   Proof proof{"N1",
               "all sides, d1, d2, e_i",
-              "A region with a 3-5 pair has two opposite sides of different length; so it has no filling without "
+              "A region with a 3-5 pair has two opposite sides of different length. So it has no filling without "
               "irregular vertices.",
               {kSideLawPremise,
-               "A convex region without irregular vertices is a rectangular grid, so its opposite sides are equal (Law "
-               "1 for valence 4; instances: N1, T1)."},
+               "A convex region without irregular vertices is a rectangular grid, so its opposite sides are equal (the "
+               "side law for valence 4; instances: N1, T1)."},
               {}};
   Argument argue(proof);
   const OppositeSides differences = opposite_sides(law);
   argue.require(differences.strips_cancel, "In E1 - E3 and E2 - E4 every e_i cancels, so with d1 = d2 = 0 both are 0.");
-  argue.require(differences.independent(), "With the pair E1 - E3 = " + differences.text(0) +
+  argue.require(differences.independent(), "With the pair, E1 - E3 = " + differences.text(0) +
                                                " and E2 - E4 = " + differences.text(1) +
-                                               ", two independent forms: both are 0 only for d1 = d2 = 0.");
+                                               ". The two forms are independent, so both are 0 only for d1 = d2 = 0.");
   argue.say(
-      "d1 and d2 are not both 0, as v1 and v2 are two vertices. A shift of the labels exchanges the two differences up "
-      "to sign.");
+      "d1 and d2 are not both 0, since v1 and v2 are two vertices. A shift of the labels exchanges the two "
+      "differences, "
+      "up to sign.");
   return proof;
 }
 

@@ -27,8 +27,8 @@ Proof stated_regular_count(const SideLaw& law) {
           std::string("A regular ") + (digon ? "digon" : "hexagon") + " of any side L with a " + law.type.name() +
               " pair has tau(L) configurations: the (m,n" +
               (several ? ",p) with p = 1.." + std::to_string(labellings) + ", " : ") with ") +
-              "m >= 1, n >= 0, m+n <= L-2 and m+n = L mod 2, where (x,0" +
-              (several ? ",p) stands for (0,x,p+1) too." : ") stands for (0,x) too."),
+              "m >= 1, n >= 0, m+n <= L-2 and m+n = L mod 2. Here (x,0" +
+              (several ? ",p) also stands for (0,x,p+1)." : ") also stands for (0,x)."),
           {kSideLawPremise, kEhrhartPremise},
           {}};
 }
@@ -39,7 +39,7 @@ void require_one_labelling(Argument& argue, const RegularPremises& premises) {
             ", has the same solutions.");
   require_segments_agree(argue, premises.law.type);
   argue.require(premises.d1_positive && !premises.d2_positive,
-                "So d1 >= 1, d2 >= 0 takes every configuration once: (d,0) for itself and for (0,d).");
+                "So d1 >= 1, d2 >= 0 takes every configuration once: (d,0) stands for itself and for (0,d).");
 }
 
 // The strips are integers >= 1 exactly if d1 + d2 = L mod 2 and d1 + d2 <= L - 2. False where they are not unique.
@@ -49,10 +49,10 @@ bool require_strips(Argument& argue, const SideLaw& law) {
     return false;
   }
   const std::vector<StripForm> forms = strip_forms(law);
-  argue.say("Law 1 solved for the strips: " + text(forms) + ".");
+  argue.say("The side law, solved for the strips, says " + text(forms) + ".");
   argue.require(parity_decides(forms),
-                "Each 2 e_i is a combination of L, d1, d2 with odd coefficients: the strips are integers exactly if d1 "
-                "+ d2 = L mod 2.");
+                "Each 2 e_i is a combination of L, d1, d2 with odd coefficients. So the strips are integers exactly if "
+                "d1 + d2 = L mod 2.");
   const StripForm least{Rational(1, 2), Rational(-1, 2), Rational(-1, 2)};
   bool is_least = false, none_below = true;
   for (const StripForm& f : forms) {
@@ -60,7 +60,7 @@ bool require_strips(Argument& argue, const SideLaw& law) {
     none_below = none_below && f.length >= least.length && f.d1 >= least.d1 && f.d2 >= least.d2;
   }
   argue.require(is_least && none_below, "The least of them, for L, d1, d2 >= 0, is " + least.text() +
-                                            ": all are >= 1 exactly if d1 + d2 <= L - 2.");
+                                            ". So all are >= 1 exactly if d1 + d2 <= L - 2.");
   return true;
 }
 
@@ -81,8 +81,8 @@ bool require_polygon(Argument& argue, const Polytope& polygon, const std::vector
   std::string corner_text;
   for (const RationalVector& x : corners) corner_text += (corner_text.empty() ? "" : ", ") + list(x);
   return argue.require(surely_bounded(polygon) && !corners.empty(),
-                       "In the unknowns (d1, d2, e_1, ..) these are the integer points of L P. P is bounded: no "
-                       "coefficient of Law 1 is negative, and every unknown occurs. Its vertices are " +
+                       "In the unknowns (d1, d2, e_1, ..) the solutions are the integer points of L P. P is bounded, "
+                       "since no coefficient of the side law is negative and every unknown occurs. Its vertices are " +
                            corner_text + ".");
 }
 
@@ -114,16 +114,17 @@ void require_parameter_set(Argument& argue, const SideLaw& law, const Polytope& 
     const auto listed = static_cast<Integer>(parameter_set(law.type, sides).size());
     same = same && listed == law.type.rotation_count() * count_lattice_points(polygon, sample);
   }
-  argue.require(same, "parameter_set(), with which the instances are compared, has these sizes there.");
+  argue.require(same, "At these L, parameter_set(), with which the instances are compared, has these sizes.");
 }
 
 // A digon with two different sides. E2 - 2 e1 and E1 - 2 e2 are both d1 + d2.
 void require_any_digon(Argument& argue, const SideLaw& law) {
   const RationalMatrix crosswise{{0, Rational(1, 2)}, {Rational(1, 2), 0}};
-  argue.require(inverse(to_rational(law.strips)) == crosswise && law.first == IntegerVector::Ones(2) &&
-                    law.last == IntegerVector::Ones(2),
-                "Any digon: e1 = (E2 - d1 - d2)/2 and e2 = (E1 - d1 - d2)/2. If E1 and E2 differ in parity there is "
-                "none; else the shorter side alone decides, and there are tau(min(E1,E2)).");
+  argue.require(
+      inverse(to_rational(law.strips)) == crosswise && law.first == IntegerVector::Ones(2) &&
+          law.last == IntegerVector::Ones(2),
+      "In any digon e1 = (E2 - d1 - d2)/2 and e2 = (E1 - d1 - d2)/2. If E1 and E2 differ in parity, it has no "
+      "configuration. Otherwise the shorter side alone decides, and it has tau(min(E1,E2)).");
 }
 
 }  // namespace
@@ -139,30 +140,31 @@ Proof prove_regular_count(const RegularPremises& premises) {
   const auto corners = vertices(polygon);
   if (!require_polygon(argue, polygon, corners)) return proof;
   const Integer period = common_denominator(corners);
-  argue.say("So their number is a quasi-polynomial in L of degree <= " + std::to_string(dimension_bound(polygon)) +
-            " (unknowns less rank) and of period " + std::to_string(period) +
-            " (denominators); tau, by floor(L/2), has period 2.");
+  argue.say("So their number is a quasi-polynomial in L, of degree <= " + std::to_string(dimension_bound(polygon)) +
+            " (unknowns minus rank) and of period " + std::to_string(period) +
+            " (the common denominator). As a function of floor(L/2), tau has period 2.");
   const QuasiPolynomial counted = counting_quasi_polynomial(polygon, std::lcm(period, Integer{2}));
   require_tau(argue, premises, counted);
   require_parameter_set(argue, law, polygon, counted.samples);
 
   if (law.type.side_count() == 2) require_any_digon(argue, law);
   argue.say(
-      "A region that grows to the regular one by s_i >= 0 strips has no more: Law 1 is linear in e, so e -> e + s, "
-      "with d1, d2 and p kept, takes its solutions one to one into those for L, and s shifts along where a segment has "
-      "two labellings.");
+      "A region that grows to the regular one by s_i >= 0 strips has no more configurations than it. The side law is "
+      "linear in e, so e -> e + s, with the same d1, d2 and p, maps its solutions one to one into those for L. Where a "
+      "segment has two labellings, s is shifted with e.");
   return proof;
 }
 
 Proof prove_merging_parity(const std::vector<SideLaw>& laws) {
-  Proof proof{"N2",
-              "all L >= 1",
-              "In a regular digon or hexagon of any side L a 3-3 or 5-5 pair has d1 + d2 = L mod 2, and the merged "
-              "vertex fits exactly if L is even: so the distance is even exactly where there is room to merge.",
-              {kSideLawPremise,
-               "That moves lead to the merged vertex wherever it fits, and the distance is d1 + d2, is checked on "
-               "instances only."},
-              {}};
+  Proof proof{
+      "N2",
+      "all L >= 1",
+      "In a regular digon or hexagon of any side L a 3-3 or 5-5 pair has d1 + d2 = L mod 2, and the merged "
+      "vertex fits exactly if L is even. So the distance is even exactly where there is room to merge.",
+      {kSideLawPremise,
+       "Only instances check that moves lead to the merged vertex wherever it fits, and that the distance is d1 + "
+       "d2."},
+      {}};
   Argument argue(proof);
   for (const SideLaw& law : laws) {
     if (!argue.require(rank(to_rational(law.strips)) == law.type.side_count(),

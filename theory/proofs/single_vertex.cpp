@@ -34,9 +34,9 @@ Coefficients power_less_one(std::size_t residue) {
 Kernels require_kernels(Argument& argue, const Coefficients& symbol) {
   const std::string s = text(symbol, "x");
   argue.say(
-      "The matrix of the e_i is a circulant: multiplication by x^{l-1} + x in Q[x]/(x^l - 1). Times x, which is "
-      "invertible there, it is multiplication by " +
-      s + ", so the dimension of its kernel is the degree of gcd(" + s + ", x^l - 1).");
+      "The matrix of the e_i is a circulant: multiplication by x^{l-1} + x in Q[x]/(x^l - 1). Since x is invertible "
+      "there, its kernel is that of multiplication by " +
+      s + ", and the dimension of the kernel is the degree of gcd(" + s + ", x^l - 1).");
   argue.require(remainder({-1, 0, 0, 0, 1}, symbol).empty(),
                 "x^4 = 1 modulo " + s + " (the remainder of x^4 - 1 is 0), so the gcd depends on l mod 4 only.");
   Kernels kernels{};
@@ -75,15 +75,15 @@ void require_circulants(Argument& argue, const SingleVertexPremises& premises, c
 
 void require_sharp_count(Argument& argue, const SingleVertexPremises& premises) {
   argue.say(
-      "4 | l, all sides L: e_{i+2} = L - e_i, hence e_{i+4} = e_i. So e_1, ..., e_4 with e_1 + e_3 = e_2 + e_4 = L "
-      "determine all, as for l = 4.");
+      "If 4 divides l and all sides are L, then e_{i+2} = L - e_i, and hence e_{i+4} = e_i. So e_1, ..., e_4 with "
+      "e_1 + e_3 = e_2 + e_4 = L determine all strips, as for l = 4.");
   const Polytope square{premises.matrix(4), IntegerVector::Ones(4), std::vector<bool>(4, true)};
   const auto corners = vertices(square);
   const Integer period = common_denominator(corners);
   if (!argue.require(surely_bounded(square) && !corners.empty(),
-                     "Their polytope P (L = 1) is bounded, with " + std::to_string(corners.size()) +
-                         " vertices whose denominators have the common multiple " + std::to_string(period) +
-                         ", of dimension <= " + std::to_string(dimension_bound(square)) + ".")) {
+                     "Their polytope P (L = 1) is bounded and has dimension <= " +
+                         std::to_string(dimension_bound(square)) + ". It has " + std::to_string(corners.size()) +
+                         " vertices, and their common denominator is " + std::to_string(period) + ".")) {
     return;
   }
   const QuasiPolynomial counted = counting_quasi_polynomial(square, period);
@@ -99,8 +99,8 @@ void require_sharp_count(Argument& argue, const SingleVertexPremises& premises) 
 Proof prove_single_vertex(const SingleVertexPremises& premises) {
   Proof proof{"T1",
               "all valences l >= 2 and all sides",
-              "A single irregular vertex whose valence 4 does not divide has at most one system of strips, whatever "
-              "the sides; a regular region of any side L has exactly (L-1)^2 where 4 divides the valence.",
+              "If 4 does not divide the valence of a single irregular vertex, its region has at most one system of "
+              "strips, whatever the sides. If 4 divides it, a regular region of any side L has exactly (L-1)^2.",
               {"E_i = e_{i-1} + e_{i+1} describes every convex region with one irregular vertex, and each solution "
                "with all e_i >= 1 is one configuration (instances: T1, L10).",
                kEhrhartPremise},

@@ -25,7 +25,7 @@ void require_sides_give_d(Argument& argue, const SideLaw& law) {
   argue.require(raised == 2,
                 law.type.name() + ": the columns of d1 and d2 raise the rank of the system from " +
                     std::to_string(rank(strips)) + " by " + std::to_string(raised) +
-                    ": none of their combinations is made by strips, so equal sides have equal d1 and d2.");
+                    ". No combination of them is a combination of strips, so equal sides have equal d1 and d2.");
 }
 
 // Two more rows, e1 and e2, make the matrix of the strips regular.
@@ -48,8 +48,8 @@ Proof prove_strips_determined(const std::vector<SideLaw>& laws) {
   Proof proof{
       "T11",
       "all sides, d1, d2",
-      "The linear system has a unique solution: sides and (d1,d2) determine all strips of a 3-3 or 5-5 pair; sides "
-      "alone determine (d1,d2) of a 3-5 pair, and with (e1,e2) the other strips.",
+      "The linear system has a unique solution. The sides and (d1,d2) determine all strips of a 3-3 or 5-5 pair. The "
+      "sides alone determine (d1,d2) of a 3-5 pair, and together with (e1,e2) the other strips.",
       {kSideLawPremise,
        "The intersection points (S_ij, u_ij) determine the labelling p and d1, d2, e1, e2 (instances: T11)."},
       {}};
