@@ -1,12 +1,10 @@
 #include "enumerate/graph_output.hpp"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
 
 #include <boost/graph/connected_components.hpp>
-#include <boost/graph/graphml.hpp>
-#include <boost/graph/graphviz.hpp>
+
+#include "enumerate/attributed_graph.hpp"
 
 namespace requad::enumerate {
 
@@ -16,36 +14,28 @@ int third_index(theory::PairType type, const theory::Configuration& c) {
   return type.symmetric() && type.rotation_count() > 1 && !c.merged() ? c.p : 0;
 }
 
-// The graph with plain attributes that Boost's writers understand.
-struct PlainNode {
-  std::string name, label, signature;
-  long d1 = 0, d2 = 0, p = 0, faces = 0;
-};
-using PlainGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, PlainNode>;
-
-PlainGraph plain_graph(const Exploration& found, theory::Apex apex) {
+AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
   const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
-  PlainGraph plain(num_vertices(graph));
-  for (std::size_t v = 0; v < node_of.size(); ++v) {
-    const FoundNode& node = found.nodes[static_cast<std::size_t>(node_of[v])];
+  AttributedGraph result;
+  std::vector<std::string> labels, signatures;
+  std::vector<long> d1, d2, p, faces;
+  for (const int index : node_of) {
+    const FoundNode& node = found.nodes[static_cast<std::size_t>(index)];
     const theory::Configuration& c = node.reading.configuration;
-    plain[v] = {"n" + std::to_string(v),    theory::label(found.type, c), node.signature, c.d1(), c.d2(),
-                third_index(found.type, c), node.region.mesh.face_count()};
+    result.names.push_back("n" + std::to_string(result.names.size()));
+    labels.push_back(theory::label(found.type, c));
+    signatures.push_back(node.signature);
+    d1.push_back(c.d1());
+    d2.push_back(c.d2());
+    p.push_back(third_index(found.type, c));
+    faces.push_back(node.region.mesh.face_count());
   }
-  for (const auto e : boost::make_iterator_range(edges(graph))) add_edge(source(e, graph), target(e, graph), plain);
-  return plain;
-}
-
-boost::dynamic_properties attributes(PlainGraph& graph) {
-  boost::dynamic_properties properties;
-  properties.property("label", get(&PlainNode::label, graph));
-  properties.property("d1", get(&PlainNode::d1, graph));
-  properties.property("d2", get(&PlainNode::d2, graph));
-  properties.property("p", get(&PlainNode::p, graph));
-  properties.property("faces", get(&PlainNode::faces, graph));
-  properties.property("signature", get(&PlainNode::signature, graph));
-  return properties;
+  result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures}};
+  for (const auto e : boost::make_iterator_range(edges(graph))) {
+    result.edges.push_back({static_cast<int>(source(e, graph)), static_cast<int>(target(e, graph))});
+  }
+  return result;
 }
 
 }  // namespace
@@ -81,20 +71,10 @@ nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   return json;
 }
 
-std::string graph_dot(const Exploration& found, theory::Apex apex) {
-  PlainGraph graph = plain_graph(found, apex);
-  boost::dynamic_properties properties = attributes(graph);
-  properties.property("node_id", get(&PlainNode::name, graph));
-  std::ostringstream out;
-  boost::write_graphviz_dp(out, graph, properties);
-  return out.str();
-}
+std::string graph_dot(const Exploration& found, theory::Apex apex) { return to_dot(attributed_graph(found, apex)); }
 
 std::string graph_graphml(const Exploration& found, theory::Apex apex) {
-  PlainGraph graph = plain_graph(found, apex);
-  std::ostringstream out;
-  boost::write_graphml(out, graph, attributes(graph), true);
-  return out.str();
+  return to_graphml(attributed_graph(found, apex));
 }
 
 }  // namespace requad::enumerate

@@ -5,13 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/graphml.hpp>
 #include <graphviz/cgraph.h>
 
+#include "enumerate/attributed_graph.hpp"
 #include "mesh/pictures/mesh_picture.hpp"
 #include "theory/joined.hpp"
 
@@ -19,19 +17,9 @@ namespace requad::figures {
 
 namespace {
 
+using enumerate::AttributedGraph;
+
 constexpr double kUnit = 62;  // points between neighbours of the grid
-
-struct GraphCloser {
-  void operator()(Agraph_t* graph) const { agclose(graph); }
-};
-using GraphPointer = std::unique_ptr<Agraph_t, GraphCloser>;
-
-// cgraph takes char* for strings that it only reads.
-char* text(const std::string& s) { return const_cast<char*>(s.c_str()); }
-
-void set(void* object, const char* name, const std::string& value) {
-  agsafeset(object, const_cast<char*>(name), text(value), const_cast<char*>(""));
-}
 
 std::string decimals(double x) {
   std::array<char, 32> buffer;
@@ -39,110 +27,123 @@ std::string decimals(double x) {
           std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
 }
 
-// What a reader of the graph wants to know, as names and values.
-using Attributes = std::vector<std::pair<const char*, std::string>>;
-
-Attributes attributes(const GridFigure& figure, const GridNode& node) {
-  const Grid& grid = figure.grids[static_cast<std::size_t>(node.grid)];
-  const theory::GridPoint at = theory::grid_point(
-      grid.type, grid.type.symmetric() ? node.configuration : theory::canonical(grid.type, node.configuration));
-  return {{"label", node.label},
-          {"d1", std::to_string(node.configuration.d1())},
-          {"d2", std::to_string(node.configuration.d2())},
-          {"p", std::to_string(node.configuration.p)},
-          {"m", std::to_string(at.m)},
-          {"n", std::to_string(at.n)},
-          {"faces", std::to_string(node.faces())},
-          {"sides", theory::joined(grid.sides, ",")},
-          {"signature", node.signature},
-          {"same_as", node.same_as < 0 ? "" : figure.nodes[static_cast<std::size_t>(node.same_as)].name}};
+// The values of an attribute, by a function of a node or an edge.
+template <class Element, class Value>
+std::vector<std::string> column(const std::vector<Element>& elements, const Value& value) {
+  std::vector<std::string> values;
+  for (const Element& element : elements) values.emplace_back(value(element));
+  return values;
 }
 
-Attributes attributes(const GridEdge& edge) {
-  return {{"step", edge.step},
-          {"direction", edge.direction},
-          {"operations", std::to_string(edge.operations())},
-          {"splits", std::to_string(edge.splits)},
-          {"collapses", std::to_string(edge.collapses)},
-          {"flips", std::to_string(edge.flips)},
-          {"faces", std::to_string(edge.faces())}};
-}
-
-}  // namespace
-
-std::string to_dot(const GridFigure& figure) {
-  const GraphPointer graph(agopen(const_cast<char*>("grid"), Agundirected, nullptr));
-  Agraph_t* g = graph.get();
-  set(g, "label", figure.title);
-  set(g, "labelloc", "b");
-  set(g, "fontname", "Helvetica");
-  set(g, "outputorder", "edgesfirst");
-  set(g, "pad", "0.2");
-  const auto colour = [&figure](const GridNode& node) {
-    return to_hex(figure.grids[static_cast<std::size_t>(node.grid)].colour());
+// The figure with the attributes that both formats have.
+AttributedGraph attributed_graph(const GridFigure& figure) {
+  const auto at_nodes = [&figure](auto value) { return column(figure.nodes, value); };
+  const auto at_edges = [&figure](auto value) { return column(figure.edges, value); };
+  const auto grid = [&figure](const GridNode& n) { return figure.grids[static_cast<std::size_t>(n.grid)]; };
+  const auto grid_point = [&grid](const GridNode& n) {
+    const theory::PairType type = grid(n).type;
+    return theory::grid_point(type, type.symmetric() ? n.configuration : theory::canonical(type, n.configuration));
   };
-  std::vector<Agnode_t*> nodes;
-  for (const GridNode& node : figure.nodes) {
-    Agnode_t* n = agnode(g, text(node.name), 1);
-    nodes.push_back(n);
-    for (const auto& [name, value] : attributes(figure, node)) set(n, name, value);
-    set(n, "pos", decimals(node.at[0] * kUnit) + "," + decimals(node.at[1] * kUnit) + "!");
-    set(n, "shape", "ellipse");
-    set(n, "fixedsize", "true");
-    set(n, "width", "0.62");
-    set(n, "height", "0.36");
-    set(n, "fontname", "Helvetica");
-    set(n, "fontsize", "11");
-    set(n, "style", node.same_as >= 0 ? "filled,dashed" : "filled");
-    set(n, "fillcolor", "white");
-    set(n, "color", colour(node));
-    set(n, "fontcolor", colour(node));
-  }
-  for (const GridEdge& edge : figure.edges) {
-    Agedge_t* e =
-        agedge(g, nodes[static_cast<std::size_t>(edge.from)], nodes[static_cast<std::size_t>(edge.to)], nullptr, 1);
-    for (const auto& [name, value] : attributes(edge)) set(e, name, value);
-    set(e, "color", colour(figure.nodes[static_cast<std::size_t>(edge.from)]));
+  const auto original = [&figure](const GridNode& n) {
+    return n.same_as < 0 ? "" : figure.nodes[static_cast<std::size_t>(n.same_as)].name;
+  };
+
+  AttributedGraph graph;
+  graph.names = at_nodes([](const GridNode& n) { return n.name; });
+  graph.at_nodes = {
+      {"label", at_nodes([](const GridNode& n) { return n.label; })},
+      {"d1", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.d1()); })},
+      {"d2", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.d2()); })},
+      {"p", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.p); })},
+      {"m", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).m); })},
+      {"n", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).n); })},
+      {"faces", at_nodes([](const GridNode& n) { return std::to_string(n.faces()); })},
+      {"sides", at_nodes([&](const GridNode& n) { return theory::joined(grid(n).sides, ","); })},
+      {"signature", at_nodes([](const GridNode& n) { return n.signature; })},
+      {"same_as", at_nodes(original)},
+  };
+  for (const GridEdge& edge : figure.edges) graph.edges.push_back({edge.from, edge.to});
+  graph.at_edges = {
+      {"step", at_edges([](const GridEdge& e) { return e.step; })},
+      {"direction", at_edges([](const GridEdge& e) { return e.direction; })},
+      {"operations", at_edges([](const GridEdge& e) { return std::to_string(e.operations()); })},
+      {"splits", at_edges([](const GridEdge& e) { return std::to_string(e.splits); })},
+      {"collapses", at_edges([](const GridEdge& e) { return std::to_string(e.collapses); })},
+      {"flips", at_edges([](const GridEdge& e) { return std::to_string(e.flips); })},
+      {"faces", at_edges([](const GridEdge& e) { return std::to_string(e.faces()); })},
+  };
+  return graph;
+}
+
+// Adds where the nodes lie and how Graphviz draws them.
+void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
+  const auto at_nodes = [&figure](auto value) { return column(figure.nodes, value); };
+  const auto all_nodes = [&at_nodes](const char* value) {
+    return at_nodes([value](const GridNode&) { return value; });
+  };
+  const auto colour = [&figure](const GridNode& n) {
+    return to_hex(figure.grids[static_cast<std::size_t>(n.grid)].colour());
+  };
+  graph.at_nodes["pos"] =
+      at_nodes([](const GridNode& n) { return decimals(n.at[0] * kUnit) + "," + decimals(n.at[1] * kUnit) + "!"; });
+  graph.at_nodes["shape"] = all_nodes("ellipse");
+  graph.at_nodes["fixedsize"] = all_nodes("true");
+  graph.at_nodes["width"] = all_nodes("0.62");
+  graph.at_nodes["height"] = all_nodes("0.36");
+  graph.at_nodes["fontname"] = all_nodes("Helvetica");
+  graph.at_nodes["fontsize"] = all_nodes("11");
+  graph.at_nodes["style"] = at_nodes([](const GridNode& n) { return n.same_as >= 0 ? "filled,dashed" : "filled"; });
+  graph.at_nodes["fillcolor"] = all_nodes("white");
+  graph.at_nodes["color"] = at_nodes(colour);
+  graph.at_nodes["fontcolor"] = at_nodes(colour);
+  graph.at_edges["color"] =
+      column(figure.edges, [&](const GridEdge& e) { return colour(figure.nodes[static_cast<std::size_t>(e.from)]); });
+}
+
+struct GraphCloser {
+  void operator()(Agraph_t* graph) const { agclose(graph); }
+};
+
+// A DOT file as libcgraph writes it, with attributes of the graph: one attribute to a line, and none that is empty.
+// Throws std::logic_error if libcgraph can not read it.
+std::string laid_out(const std::string& dot, const std::vector<std::pair<const char*, std::string>>& attributes) {
+  const std::unique_ptr<Agraph_t, GraphCloser> graph(agmemread(dot.c_str()));
+  if (!graph) throw std::logic_error("Graphviz can not read a figure's graph");
+  for (const auto& [name, value] : attributes) {
+    // cgraph takes char* for strings that it only reads.
+    agsafeset(graph.get(), const_cast<char*>(name), const_cast<char*>(value.c_str()), const_cast<char*>(""));
   }
   char* data = nullptr;
   std::size_t size = 0;
   std::FILE* stream = open_memstream(&data, &size);
   if (stream == nullptr) throw std::runtime_error("no memory for the graph's text");
-  agwrite(g, stream);
+  agwrite(graph.get(), stream);
   std::fclose(stream);
   std::string result(data, size);
   std::free(data);
   return result;
 }
 
+}  // namespace
+
+std::string to_dot(const GridFigure& figure) {
+  AttributedGraph graph = attributed_graph(figure);
+  add_drawing(graph, figure);
+  std::string dot = enumerate::to_dot(std::move(graph));
+  dot.replace(0, dot.find('{'), "graph grid ");  // Boost calls every graph G
+  return laid_out(dot, {{"label", figure.title},
+                        {"labelloc", "b"},
+                        {"fontname", "Helvetica"},
+                        {"outputorder", "edgesfirst"},
+                        {"pad", "0.2"}});
+}
+
 std::string to_graphml(const GridFigure& figure) {
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                      boost::property<boost::edge_index_t, std::size_t>>;
-  Graph graph(figure.nodes.size());
-  for (std::size_t i = 0; i < figure.edges.size(); ++i) {
-    add_edge(static_cast<std::size_t>(figure.edges[i].from), static_cast<std::size_t>(figure.edges[i].to), i, graph);
-  }
-  // A column of values for each attribute, looked up by index.
-  std::map<std::string, std::vector<std::string>> node_columns, edge_columns;
-  for (const GridNode& node : figure.nodes) {
-    node_columns["name"].push_back(node.name);
-    for (const auto& [name, value] : attributes(figure, node)) node_columns[name].push_back(value);
-    node_columns["x"].push_back(decimals(node.at[0]));
-    node_columns["y"].push_back(decimals(node.at[1]));
-  }
-  for (const GridEdge& edge : figure.edges) {
-    for (const auto& [name, value] : attributes(edge)) edge_columns[name].push_back(value);
-  }
-  boost::dynamic_properties properties;
-  for (auto& [name, column] : node_columns) {
-    properties.property(name, make_iterator_property_map(column.begin(), get(boost::vertex_index, graph)));
-  }
-  for (auto& [name, column] : edge_columns) {
-    properties.property(name, make_iterator_property_map(column.begin(), get(boost::edge_index, graph)));
-  }
-  std::ostringstream out;
-  boost::write_graphml(out, graph, properties, true);
-  return out.str();
+  AttributedGraph graph = attributed_graph(figure);
+  graph.at_nodes["name"] = graph.names;
+  graph.at_nodes["x"] = column(figure.nodes, [](const GridNode& n) { return decimals(n.at[0]); });
+  graph.at_nodes["y"] = column(figure.nodes, [](const GridNode& n) { return decimals(n.at[1]); });
+  return enumerate::to_graphml(std::move(graph));
 }
 
 }  // namespace requad::figures

@@ -1,4 +1,11 @@
-// Grid figures as graphs: DOT by libcgraph, GraphML by Boost.
+// Grid figures as graphs, in DOT and GraphML.
+//
+// Attributes in both formats
+//   nodes   label, d1, d2, p; m and n, the point of the grid; faces and signature of the mesh; sides of the region; for
+//           a copy also same_as, the name of its original
+//   edges   step; direction (what the step adds to m and n); operations, the number of basic ones, and of these splits,
+//           collapses and flips; faces (made minus deleted)
+// The same figure gives the same bytes.
 #pragma once
 
 #include <string>
@@ -7,16 +14,9 @@
 
 namespace requad::figures {
 
-// Both hold the same attributes.
-//   nodes   label, d1, d2, p, m, n (of the grid), faces and signature of the mesh, sides of the region; a copy also
-//           same_as, the name of its original
-//   edges   step, direction (what the step adds to m and n), operations (basic ones; splits, collapses and flips apart)
-//           and faces (made minus deleted)
-// The same figure gives the same bytes.
-
-// With positions in points, so that `neato -n2` draws the grid as it is.
+// With positions in points, so that `neato -n2` draws the grid as it is. Laid out by libcgraph.
 std::string to_dot(const GridFigure& figure);
-// With x and y in grid units.
+// With names, and with x and y in grid units.
 std::string to_graphml(const GridFigure& figure);
 
 }  // namespace requad::figures
