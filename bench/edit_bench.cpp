@@ -1,6 +1,6 @@
-// What edits cost by way of an editor, which checks, keeps positions in step and can take back: whether editing stays
-// interactive. The same edit in the middle of meshes of ten thousand, a hundred thousand and a million quads, then on
-// one size over longer and longer paths; and the reduction of whole meshes.
+// What edits cost through an editor, which checks them, keeps positions in step and can take them back: whether editing
+// stays interactive. First the same edit is made in the middle of meshes of ten thousand, a hundred thousand and a
+// million quads, then on one size of mesh over longer and longer paths. Last come reductions of whole meshes.
 
 #include <array>
 #include <cmath>
@@ -26,8 +26,8 @@ using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::VertexId;
 
-constexpr std::int64_t kPath = 8;         // where the size of the mesh is what changes
-constexpr std::int64_t kQuads = 100'000;  // where the path is
+constexpr std::int64_t kPath = 8;         // length of the path while the size of the mesh changes
+constexpr std::int64_t kQuads = 100'000;  // size of the mesh while the length of the path changes
 
 // A mesh with the editor of an interactive program.
 struct Scene {
@@ -41,14 +41,15 @@ struct Scene {
   mesh::Editor editor;
 };
 
-// A digon of about this many quads whose two v3s span d x d quads in the middle: d^2 + 4 d e + 2 e^2 quads.
+// A digon of about this many quads whose two v3s span d x d quads in the middle. With e strips along each side it has
+// d^2 + 4 d e + 2 e^2 quads.
 QuadMesh digon(std::int64_t quads, std::int64_t d) {
   const auto strips = static_cast<std::int64_t>(std::sqrt(static_cast<double>(quads + d * d) / 2)) - d;
   return spread_pair(theory::kDigon, d, strips).mesh;
 }
 
-// A region of about this many quads round one v3, which then moves and sends the adjacent 3-5 pair that it leaves
-// `steps` steps away, all in a line: 3, and 3-5 at a distance.
+// A region of about this many quads with one v3, which then moves by an edge. The adjacent 3-5 pair that it leaves is
+// transported `steps` steps away, in a straight line.
 struct ThreeVertices {
   Scene scene;
   VertexId alone;
@@ -104,7 +105,7 @@ void atomic_move_and_back(benchmark::State& state) {
 }
 BENCHMARK(atomic_move_and_back)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 
-// How long does a pair move and its inverse take, each with a report, of a 3-3 pair that spans d x d quads? It closes
+// How long does a move of a 3-3 pair that spans d x d quads and its inverse take, each with a report? The pair closes
 // over 2 d + 1 quads.
 void pair_move_and_back(benchmark::State& state) {
   Scene scene(digon(state.range(0), state.range(1)));
@@ -129,7 +130,7 @@ void pair_move_and_back(benchmark::State& state) {
 BENCHMARK(pair_move_and_back)->Apply(three_sizes);
 BENCHMARK(pair_move_and_back)->Apply(longer_paths)->Complexity(benchmark::oN);
 
-// How long does it take to look up the four moves of such a pair, before any is made?
+// How long does it take to list the four moves of such a pair?
 void list_pair_moves(benchmark::State& state) {
   const QuadMesh m = digon(state.range(0), state.range(1));
   const auto pair = mesh::irregular_vertices(m);
@@ -140,7 +141,7 @@ void list_pair_moves(benchmark::State& state) {
 BENCHMARK(list_pair_moves)->Apply(three_sizes);
 BENCHMARK(list_pair_moves)->Apply(longer_paths)->Complexity();
 
-// How long does a courier take that one v3 sends to the other over d x d quads, and to take all of it back?
+// How long does it take to transport an adjacent 3-5 pair from one v3 to another over d x d quads, and to roll back?
 void transport(benchmark::State& state, bool new_each_time) {
   Scene scene(digon(state.range(0), state.range(1)));
   const auto pair = mesh::irregular_vertices(scene.mesh);
@@ -165,12 +166,11 @@ void transport(benchmark::State& state, bool new_each_time) {
 }
 BENCHMARK_CAPTURE(transport, kept, false)->Apply(three_sizes);
 BENCHMARK_CAPTURE(transport, kept, false)->Apply(longer_paths)->Complexity();
-// And the first one of a courier, which gets its working memory then?
+// And with a new PairTransport each time, which then allocates its working memory?
 BENCHMARK_CAPTURE(transport, new, true)->Apply(three_sizes);
 
-// How long does it take to cancel a v3 and a v5 that are some steps of a flip apart, so twice as many edges, with the
-// help of a second v3 beside the v5, and to take all of it back? Every edge is a courier, whose report looks round a
-// disc.
+// How long does it take to cancel a v3 and a v5 with the help of a second v3 beside the v5, and to roll back? They are
+// `path` steps of a flip apart, which are twice as many edges. Each edge takes one transport, whose search covers a disc.
 void cancel_and_roll_back(benchmark::State& state) {
   ThreeVertices start(state.range(0), state.range(1));
   mesh::PairTransport transport(start.scene.editor);
@@ -182,7 +182,7 @@ void cancel_and_roll_back(benchmark::State& state) {
   }
   count_quads(state, start.scene.mesh);
   state.counters["operations"] = result.steps;
-  state.counters["couriers"] = result.transports;
+  state.counters["transports"] = result.transports;
   state.SetComplexityN(state.range(1));
 }
 BENCHMARK(cancel_and_roll_back)->Apply(three_sizes);
@@ -192,7 +192,7 @@ BENCHMARK(cancel_and_roll_back)
     ->Ranges({{kQuads, kQuads}, {4, 32}})
     ->Complexity(benchmark::oNCubed);
 
-// How long does the first split of a mesh take, whose arrays have no room for it yet?
+// How long does the first split of a mesh take, when its arrays have no room for it yet?
 void first_split(benchmark::State& state) {
   const Scene untouched(digon(state.range(0), kPath));
   const HalfEdgeId inner = untouched.mesh.out(mesh::irregular_vertices(untouched.mesh)[0]);
@@ -215,7 +215,7 @@ BENCHMARK(first_split)
     ->Unit(benchmark::kMicrosecond)
     ->Complexity(benchmark::oN);
 
-// A legal atomic operation for every hundred quads, at random vertices.
+// Performs one legal atomic operation for every hundred quads, at random vertices.
 void disturb(Scene& scene) {
   std::mt19937 random(2011);
   const auto pick = [&random](std::size_t count) { return random() % count; };

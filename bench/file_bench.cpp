@@ -1,4 +1,4 @@
-// Loading and writing, and what lies between: an OBJ of a torus read, made a mesh of, validated, and written.
+// Files: an OBJ of a torus is read, turned into a mesh, validated and written.
 
 #include "bench/file_bench.hpp"
 
@@ -9,7 +9,7 @@
 namespace requad::bench {
 namespace {
 
-// How long does it take to read an OBJ of n x n quads, to make a mesh of it that was checked, and to write it again?
+// How long does it take to read an OBJ of n x n quads, to turn it into a checked mesh, and to write it again?
 void obj_read_and_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   for (auto _ : state) {
@@ -21,7 +21,7 @@ void obj_read_and_write(benchmark::State& state) {
 }
 BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);
 
-// What part of it is the text?
+// How much of it is reading the text?
 void obj_read(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(mesh::read_polygon_mesh(file.path()));
@@ -29,7 +29,7 @@ void obj_read(benchmark::State& state) {
 }
 BENCHMARK(obj_read)->Apply(sides);
 
-// And the mesh?
+// And building the mesh?
 void obj_to_mesh(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::PolygonMesh polygons = mesh::read_polygon_mesh(file.path());
@@ -47,7 +47,7 @@ void obj_write(benchmark::State& state) {
 }
 BENCHMARK(obj_write)->Apply(sides);
 
-// How long does it take the validator to look for every defect once more?
+// How long does the validator take to look for every defect?
 void validate_mesh(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const mesh::QuadMesh m = mesh::QuadMesh::from_faces(n * n, torus_faces(n));

@@ -1,4 +1,4 @@
-// The file that loading and writing are measured on.
+// The file on which loading and writing are measured.
 #pragma once
 
 #include <cstdio>
@@ -25,7 +25,7 @@ inline void count_quads(benchmark::State& state) {
   state.SetComplexityN(quads);
 }
 
-// A torus of n x n quads in the folder for temporary files, and a place for a copy; both go with this object.
+// An OBJ of a torus of n x n quads in the folder for temporary files, and a path for a copy. The destructor removes both.
 class ObjFile {
  public:
   explicit ObjFile(int n) : path_(std::filesystem::temp_directory_path() / "requad-bench.obj") {

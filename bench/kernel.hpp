@@ -1,9 +1,9 @@
 // The bare kernel that ratios refer to: a closed quad mesh as two integer arrays, twin and origin, and nothing else.
 //
-// It does what a basic operation can not do without, and no more. There are no handles, no boundary, no half-edge for
-// each vertex, no free lists (who calls keeps the ids of what was removed), and no test whether an operation is legal.
-// Nobody should edit meshes with it: it is the limit for the data structure. A flip takes the neighbouring slot, so
-// that two outer twins change and not six.
+// It does only what a basic operation needs. It has no handles, no boundary, no half-edge for each vertex and no free
+// lists (the caller keeps the ids of what was removed), and it does not test whether an operation is legal. It is the
+// limit for the data structure, and not for editing meshes. A flip takes the neighbouring slot, so two outer twins
+// change and not six.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ class Kernel {
   int out(int v) const { return out_[static_cast<std::size_t>(v)]; }
   int half_edges() const { return static_cast<int>(twin_.size()); }
 
-  // In one pass: each vertex heads a list of the half-edges out of it that are not paired yet, linked through `twin`.
+  // Pairs half-edges in one pass. The half-edges out of a vertex that are not paired yet form a list, linked through
+  // `twin`.
   void build(int vertices, std::span<const std::array<int, 4>> faces) {
     twin_.resize(4 * faces.size());
     origin_.resize(4 * faces.size());
@@ -47,7 +48,7 @@ class Kernel {
       }
     }
   }
-  // A half-edge out of each vertex, for traversal alone: no operation keeps them.
+  // Finds a half-edge out of each vertex, for traversal. Operations do not maintain it.
   void find_out(int vertices) {
     out_.resize(static_cast<std::size_t>(vertices));
     for (int h = 0; h < half_edges(); ++h) out_[static_cast<std::size_t>(origin(h))] = h;
@@ -67,7 +68,7 @@ class Kernel {
     origin(h) = origin(t3);
     origin(t) = origin(h3);
   }
-  // The corner opposite the origin of h merges into it. The face and that vertex may be used by a split.
+  // Merges the corner opposite the origin of h into that origin. A split may use the face and the vertex again.
   void collapse(int h) {
     const int h1 = next(h), h2 = opposite(h), h3 = previous(h);
     const int a = origin(h), first = twin(h1);
@@ -78,7 +79,7 @@ class Kernel {
     glue(first, twin(h));
     glue(twin(h2), twin(h3));
   }
-  // The sector from first to last goes to vertex w; face(va), va the half-edge at the old vertex, opens between.
+  // Moves the sector from first to last to vertex w, and opens the face of va in between, with va at the old vertex.
   void split(int first, int last, int va, int w) {
     const int aw = next(va), wb = opposite(va), bv = previous(va);
     const int v = origin(first);

@@ -9,7 +9,7 @@ void sides(benchmark::internal::Benchmark* b) {
   b->ArgName("side")->RangeMultiplier(2)->Range(128, 1024)->Unit(benchmark::kMicrosecond)->Complexity(benchmark::oN);
 }
 
-// How long does it take to pair the edges of a torus of n x n quads, without a test whether it is a mesh?
+// How long does it take to pair the edges of a torus of n x n quads, without testing whether it is a mesh?
 void build_kernel(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const FaceList faces = torus_faces(n);
@@ -22,7 +22,7 @@ void build_kernel(benchmark::State& state) {
 }
 BENCHMARK(build_kernel)->Name("build/kernel")->Apply(sides);
 
-// And with every test, and a half-edge for each vertex?
+// And with every test, and with a half-edge for each vertex?
 void build_requad(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const FaceList faces = torus_faces(n);

@@ -1,5 +1,5 @@
-// The same operations through every subject (subjects.hpp): each benchmark is registered once for each of them, so that
-// one run gives the ratios.
+// The same operations by every subject (subjects.hpp). Each benchmark is registered once for each subject, so that one
+// run gives the ratios.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -8,17 +8,17 @@
 
 namespace requad::bench {
 
-// Fixed, so that the large meshes are built once: four times round the sites of the larger torus.
+// A fixed number of iterations, so that the large meshes are built once: four rounds over the sites of the larger torus.
 constexpr benchmark::IterationCount kRounds = 1 << 18;
 
-// Throws once for all if the subject makes other meshes.
+// Throws if the subject makes other meshes than requad. Tests it at the first call only.
 template <class Subject>
 void require_same_meshes_once() {
   static const bool same = (require_same_meshes<Subject>(), true);
   benchmark::DoNotOptimize(same);
 }
 
-// Times there_and_back(subject, site), which gives the site as it is afterwards, at random sites of a torus.
+// Times there_and_back(subject, site) at random sites of a torus. It returns the handle that the site has afterwards.
 template <class Subject, class ThereAndBack>
 void at_random_sites(benchmark::State& state, ThereAndBack&& there_and_back) {
   require_same_meshes_once<Subject>();
@@ -40,7 +40,7 @@ void flip_and_back(benchmark::State& state) {
   at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.flip_back(subject.flip(site)); });
 }
 
-// How long does a collapse and the split that takes it back take, at random sites of a torus of n x n quads?
+// How long does a collapse and the split that undoes it take, at random sites of a torus of n x n quads?
 template <class Subject>
 void collapse_and_split(benchmark::State& state) {
   at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.split(subject.collapse(site)); });

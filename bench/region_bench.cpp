@@ -1,4 +1,5 @@
-// What a region costs: made, named, explored by moves with a mesh for each configuration, and walked on one mesh.
+// What regions cost: to generate, to name by signatures, to explore by moves with a mesh for each configuration, and to
+// walk on a single mesh.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,8 @@ namespace {
 using theory::IntegerVector;
 using theory::PairType;
 
-// How long does it take to make a digon of d x d quads between the pair and d strips along each side, so 7 d^2 quads,
-// strip by strip?
+// How long does it take to make a digon strip by strip? It has d x d quads between the pair and d strips along each side,
+// 7 d^2 quads in all.
 void grow(benchmark::State& state) {
   const theory::Integer d = state.range(0);
   const theory::Configuration configuration{{d, d, IntegerVector::Constant(2, d)}, 1};
@@ -31,7 +32,7 @@ void grow(benchmark::State& state) {
 }
 BENCHMARK(grow)->Name("generate/grow")->ArgName("d")->RangeMultiplier(4)->Range(4, 256)->Complexity(benchmark::oNLogN);
 
-// And glued from rectangles?
+// And to glue it from rectangles?
 void glue(benchmark::State& state) {
   const theory::Integer d = state.range(0);
   std::int64_t quads = 0;
@@ -66,10 +67,10 @@ struct Operations {
   std::int64_t others = 0;
 };
 
-// What a walk makes: every move of the predicted graph, once each way. By mesh/irregular/pair_moves.hpp open and close take as
-// many splits or collapses as the path is long, on average over its two ends; a slide flips along the diagonal of a
-// rectangle and goes straight for the rest. The rectangle's sides are those of R_alpha before or after: of a 3-3 pair
-// the lesser ones, of a 5-5 pair the greater ones; those of a 3-5 pair do not change.
+// The operations of a walk, which makes every move of the predicted graph once in each direction (see pair_moves.hpp).
+// Open and close take as many splits or collapses as the path is long, on average over its two ends. A slide flips along
+// the diagonal of a rectangle and goes straight on for the rest. The sides of the rectangle are those of R_alpha before
+// or after: the lesser ones for a 3-3 pair, the greater ones for a 5-5 pair. Those of a 3-5 pair do not change.
 Operations operations_of_walk(PairType type, const IntegerVector& sides) {
   Operations sum;
   const theory::ConfigurationMap map = theory::configuration_map(type, sides, theory::Apex::with);
@@ -95,7 +96,7 @@ Operations operations_of_walk(PairType type, const IntegerVector& sides) {
   return sum;
 }
 
-// Sides of length L each; of L on average for a 3-5 pair, which no regular region holds.
+// Sides of length L. A regular region holds no 3-5 pair: there the sides have length L on average.
 IntegerVector walked_sides(PairType type, theory::Integer length) {
   if (type.symmetric()) return IntegerVector::Constant(type.side_count(), length);
   const theory::Integer third = length / 3;
@@ -110,8 +111,8 @@ struct WalkBench {
   mesh::Region start;
 };
 
-// How long do as many flips, collapses and splits as the walk makes take by the bare kernel, at random sites of a torus
-// of as many quads as the region has at most?
+// How long does the bare kernel take for as many flips, collapses and splits as the walk makes? They are made at random
+// sites of a torus with as many quads as the region has at most.
 void walk_limit(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
   const Operations todo = operations_of_walk(type, bench.table.sides());
@@ -138,8 +139,8 @@ void walk_limit(benchmark::State& state, PairType type) {
   state.SetComplexityN(state.range(0));
 }
 
-// Does a walk over all configurations of a region, each identified by its separatrices, grow with the cube of
-// its side? And what does it take beside its basic operations, to plan and check them and to trace separatrices?
+// Does a walk over all configurations of a region, each identified by its separatrices, grow with the cube of its side?
+// And how much time does it need to plan and check its basic operations and to trace separatrices?
 void walk_requad(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
   enumerate::WalkResult result;

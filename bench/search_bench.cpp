@@ -1,4 +1,4 @@
-// What the exhaustive search costs: states a second, states for each filling, what the pruning rules save. One core.
+// What the exhaustive search costs on one core: states per second, states per filling, and what the pruning rules save.
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,7 @@ SearchOutcome time_search(benchmark::State& state, const SearchProblem& problem,
   return found;
 }
 
-// How many states a second are visited in a digon with a 3-3 pair, and how does the time grow with its side?
+// How many states per second does it visit in a digon with a 3-3 pair, and how does the time grow with the side?
 void digon_33(benchmark::State& state) {
   time_search(state, regular_polygon(2, state.range(0), {3, 3}));
   state.SetComplexityN(state.range(0));
@@ -56,7 +56,7 @@ void triangle_335(benchmark::State& state) {
 }
 BENCHMARK(triangle_335)->ArgName("L")->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
 
-// And where there is no corner to start at, up to F faces?
+// And in a region without corners, with a bound on the number of faces?
 void without_corners(benchmark::State& state) {
   SearchLimits limits;
   limits.faces = static_cast<int>(state.range(0));
@@ -65,7 +65,7 @@ void without_corners(benchmark::State& state) {
 }
 BENCHMARK(without_corners)->ArgName("faces")->DenseRange(20, 40, 10)->Unit(benchmark::kMillisecond)->Complexity();
 
-// How many more states are visited without a pruning rule (0 Gauss-Bonnet, 1 parity, 2 face bound)?
+// How many more states does it visit without one pruning rule (0 Gauss-Bonnet, 1 parity, 2 face bound)?
 void without_rule(benchmark::State& state, const SearchProblem& problem, int faces) {
   constexpr bool SearchPruning::*kRules[] = {&SearchPruning::gauss_bonnet, &SearchPruning::parity,
                                              &SearchPruning::face_bound};
@@ -100,7 +100,7 @@ BENCHMARK_CAPTURE(without_rule, concave, SearchProblem{{3, 3, 1, 3, 3, 1}, {2, 3
     ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 
-// How long do the closed spheres with eight v3s take, up to V vertices?
+// How long does it take to find the closed spheres with eight v3s, up to a number of vertices?
 void octahedrites(benchmark::State& state) {
   SearchLimits limits;
   limits.threads = 1;

@@ -1,11 +1,11 @@
-// What is measured side by side: the bare kernel, requad, and (peer_subjects.hpp) other libraries, behind one
-// interface, with the tori they are measured on and the test that all of them make the same meshes.
+// What is measured side by side, behind one interface: the bare kernel, requad, and other libraries (peer_subject.hpp).
+// Also the tori that they are measured on, and the test that all of them make the same meshes.
 //
-// A subject is built from faces, finds a half-edge by its ends, and performs at it
-//   flip, flip_back     the edge turns by one corner counter-clockwise, and back
-//   collapse, split     the face of the half-edge closes, its origin stays, and opens again
-// Each gives what the next call of the pair needs, since libraries differ in what keeps its name. A subject without
-// collapse and split has no Undo.
+// A subject is built as a torus, finds a half-edge by its ends, and performs at it
+//   flip, flip_back     turns the edge by one corner counter-clockwise, and back
+//   collapse, split     closes the face of the half-edge, whose origin stays, and opens it again
+// Each call returns what the next call of the pair needs, since libraries differ in which handles stay valid. A subject
+// without collapse and split has no Undo.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ inline FaceList torus_faces(int n) {
   return faces;
 }
 
-// Where its vertices lie in space.
+// The positions of its vertices in space.
 inline mesh::Positions torus_positions(int n) {
   mesh::Positions positions;
   for (int i = 0; i < n; ++i) {
@@ -48,8 +48,8 @@ inline mesh::Positions torus_positions(int n) {
   return positions;
 }
 
-// Ends of half-edges in random order, four quads apart, so that what is done at one leaves the others alone. Every
-// direction occurs. n is a multiple of 4.
+// The ends of half-edges in random order and of random direction, four quads apart, so that an operation at one does not
+// touch the others. Precondition: n is a multiple of 4.
 inline std::vector<std::array<int, 2>> random_sites(int n) {
   std::mt19937 random(2011);
   const FaceList faces = torus_faces(n);
@@ -127,11 +127,11 @@ struct RequadSubject {
   explicit RequadSubject(int n) : mesh(mesh::QuadMesh::from_faces(n * n, torus_faces(n))) {}
   Site site(int a, int b) const { return mesh.find_half_edge(mesh::VertexId(a), mesh::VertexId(b)); }
   Site flip(Site h) {
-    flip(h, mesh::Rotation::counter_clockwise);
+    rotate(h, mesh::Rotation::counter_clockwise);
     return mesh::QuadMesh::next(h);
   }
   Site flip_back(Site h) {
-    flip(h, mesh::Rotation::clockwise);
+    rotate(h, mesh::Rotation::clockwise);
     return mesh::QuadMesh::previous(h);
   }
   Undo collapse(Site h) {
@@ -156,7 +156,7 @@ struct RequadSubject {
   bool refused = false;
 
  private:
-  void flip(Site h, mesh::Rotation rotation) {
+  void rotate(Site h, mesh::Rotation direction) {
     if constexpr (kChecked) {
       refused |= mesh::flip(mesh, h, rotation) != mesh::Refusal::none;
     } else {
@@ -165,7 +165,7 @@ struct RequadSubject {
   }
 };
 
-// A name for the mesh of a face list, whatever its vertices are called.
+// The canonical signature of the mesh with these faces, whose vertices may have any numbers.
 inline std::string name_of(FaceList faces) {
   std::vector<int> used;
   for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());

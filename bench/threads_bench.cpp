@@ -1,4 +1,4 @@
-// What the second core is worth: one search, and one sweep of regions, with one thread and with two. Real time.
+// What a second core gains: one search, and one sweep of regions, with one thread and with two, in real time.
 
 #include <benchmark/benchmark.h>
 
@@ -24,7 +24,7 @@ void search_threads(benchmark::State& state) {
 }
 BENCHMARK(search_threads)->Apply(one_and_two);
 
-// How much faster is the exploration of many regions, with every claim about them judged?
+// How much faster is the check of every claim on many regions?
 void sweep_threads(benchmark::State& state) {
   verify::Ranges ranges;
   ranges.digon = {3, 20};
