@@ -1,8 +1,10 @@
 #include "figures/pictures/catalogue.hpp"
 
+#include "figures/pictures/basic_operation_pictures.hpp"
 #include "figures/pictures/grid_picture.hpp"
-#include "figures/pictures/operation_pictures.hpp"
+#include "figures/pictures/pair_move_pictures.hpp"
 #include "figures/pictures/region_pictures.hpp"
+#include "figures/pictures/vertex_pictures.hpp"
 
 namespace requad::figures {
 

@@ -20,7 +20,7 @@ Stroke grid_stroke(const Grid& grid) {
 
 Point at(const GridNode& node, double spacing) { return spacing * Point(node.at[0], node.at[1]); }
 
-// Points between grid units, and the room for a mesh at a node.
+// In points: the grid unit, and the room for a mesh at a node.
 struct Sizes {
   double spacing;
   double width;
@@ -32,7 +32,8 @@ Sizes sizes(theory::PairType type) {
   return {128, 112, 106};
 }
 
-// Where label 1's side starts, so that a 3-5 region stands as its grid does: side 1 on the left, side 2 below.
+// The half-edge at which the drawing starts. A 3-5 region is drawn as its grid is, with side 1 on the left and side 2
+// below.
 mesh::HalfEdgeId lowest_side(const GridNode& node, theory::PairType type) {
   mesh::HalfEdgeId h = node.region.root;
   if (type.symmetric()) return h;
@@ -46,7 +47,7 @@ mesh::HalfEdgeId lowest_side(const GridNode& node, theory::PairType type) {
 MeshPicture picture_of(const GridNode& node, theory::PairType type, const Sizes& size) {
   mesh::Region region = node.region;
   region.root = lowest_side(node, type);
-  // A hexagon stands on a corner: then the segment of (x,0,p) lies along the axis that its node is on.
+  // A hexagon stands on a corner, so that the segment of (x,0,p) lies along the axis of its node.
   const double angle = type == theory::kHexagon ? std::numbers::pi / 2 : 0;
   const MeshPicture probe(region, Point::Zero(), 1, angle);
   const Point extent = probe.high() - probe.low();
@@ -68,8 +69,8 @@ void paint_node(Canvas& canvas, const GridFigure& figure, const GridNode& node, 
   const bool copy = node.same_as >= 0;
   picture.background(canvas, rgb(0xffffff));
   if (!copy) {
-    picture.faces(canvas, picture.ring(node.frame), ink::kGrey);
-    picture.faces(canvas, picture.between(node.frame), ink::kPaleBlue);
+    picture.faces(canvas, mesh::ring(picture.mesh(), node.frame), ink::kGrey);
+    picture.faces(canvas, mesh::grid(picture.mesh(), node.frame).value(), ink::kPaleBlue);
   }
   picture.edges(canvas, 0.45, copy ? ink::kFaint : ink::kLine);
   picture.irregular(canvas, 4.6);
@@ -111,7 +112,8 @@ Paint paint_dual(const GridFigure& figure) {
     for (const GridEdge& edge : figure.edges) {
       const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
       const Stroke stroke = grid_stroke(figure.grids[static_cast<std::size_t>(from.grid)]);
-      // A spiral: radius and angle change evenly, the shorter way round. On level 1 of a digon it is a whole turn.
+      // Radius and angle change evenly, the shorter way round. An edge within a level is an arc; on level 1 of a digon it
+      // is a whole circle.
       const theory::Integer inner = edge.before.d1() + edge.before.d2(), outer = edge.after.d1() + edge.after.d2();
       double first = angle(edge.before), last = angle(edge.after);
       if (inner == outer) {

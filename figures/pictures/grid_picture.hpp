@@ -1,4 +1,4 @@
-// Pictures of grids: the mesh of each configuration at its node.
+// Pictures of grids, with the mesh of each configuration at its node.
 #pragma once
 
 #include "figures/grid_figure.hpp"
@@ -8,13 +8,13 @@ namespace requad::figures {
 
 using namespace pictures;
 
-// Even grids red and solid, odd ones blue and dashed. At each node the region, R_alpha blue, its ring grey, the
-// irregular vertices in their colours, the label below; a copy is drawn faint and names its original. A 3-5 pair's
-// region also has two stars, where the v5's first and middle outward separatrices meet the boundary: their distances
-// from the corner between them are n and m.
+// Even grids are red and solid, odd ones blue and dashed. Each node shows its region, with R_alpha in blue, the ring in
+// grey, the irregular vertices in their colours, and the label below. A copy is drawn faint and names its original. The
+// region of a 3-5 pair also has two stars, where the first and the middle outward separatrix of the v5 meet the boundary.
+// Their distances from the corner between them are n and m.
 Paint paint_grid(const GridFigure& figure);
 
-// A dual_figure() as graphs: levels as circles, nodes as their labels.
+// A dual_figure() as a drawing of two graphs, with levels as circles and labels at the nodes.
 Paint paint_dual(const GridFigure& figure);
 
 }  // namespace requad::figures

@@ -1,4 +1,4 @@
-// A panel: one mesh of a figure that has several, with its marks and the words below it.
+// A panel: one of several meshes in a figure, with its marks and the words below it.
 #pragma once
 
 #include "mesh/pictures/mesh_picture.hpp"
@@ -10,8 +10,8 @@ using namespace pictures;
 
 struct Panel {
   mesh::Region region;
-  std::vector<std::string> words = {};
-  std::vector<mesh::FaceId> stay = {};  // strips that stay
+  std::vector<std::string> words = {};  // lines below the mesh
+  std::vector<mesh::FaceId> stay = {};  // strips that stay, pale
   std::vector<mesh::FaceId> grey = {};
   std::vector<mesh::FaceId> blue = {};
   std::vector<mesh::FaceId> made = {};
@@ -19,19 +19,20 @@ struct Panel {
   struct Line {
     std::vector<mesh::HalfEdgeId> path;
     Stroke stroke;
-    bool arrow = false;  // at its end
+    bool arrow = false;  // an arrow from the first to the last vertex
   };
   std::vector<Line> lines = {};
-  std::vector<mesh::VertexId> dots = {};  // regular vertices to be seen
+  std::vector<mesh::VertexId> dots = {};  // marked regular vertices
 };
 
-// The region with a pair (or, with d1 = d2 = 0, the merged vertex) and these strips; see enumerate::glue_region.
+// The region of a pair with these parameters, or of the merged vertex if d1 = d2 = 0. See enumerate::glue_region().
 mesh::Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
                          const std::vector<theory::Integer>& strips);
 
 inline constexpr Stroke kGreenLine{ink::kGreen, 2.4};
 
-// With edges about `unit` long; the words below, `text` points high.
+// Draws the panel around `centre` with edges about `unit` points long, turned by an angle in radians, and its words
+// `text` points high.
 void paint_panel(Canvas& canvas, const Panel& panel, Point centre, double unit, double angle = 0, double text = 10);
 
 }  // namespace requad::figures

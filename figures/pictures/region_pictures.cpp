@@ -25,8 +25,8 @@ void triangle(Canvas& canvas, Point at, bool convex) {
       convex ? ink::kBlue : ink::kRed, Stroke{ink::kBlack, 0.5});
 }
 
-// A walk over a mesh from h: 's' straight on, 'l' left, 'r' right.
-std::vector<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, const std::string& steps) {
+// The path from h on that goes straight on for 's', left for 'l' and right for 'r' at each vertex.
+std::vector<HalfEdgeId> path_of(const QuadMesh& m, HalfEdgeId h, const std::string& steps) {
   std::vector<HalfEdgeId> path{h};
   for (const char step : steps) {
     const HalfEdgeId left = QuadMesh::next(path.back());
@@ -35,7 +35,7 @@ std::vector<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, const std::string&
   return path;
 }
 
-// The quads on the left of a path between two consecutive half-edges of it.
+// The number of quads on the left of a path at the vertex between two consecutive half-edges.
 int quads_on_left(const QuadMesh& m, HalfEdgeId in, HalfEdgeId out) {
   int quads = 1;
   for (HalfEdgeId h = QuadMesh::next(in); h != out && h.valid(); h = m.cw(h)) ++quads;
@@ -64,7 +64,7 @@ Paint paint_turns_and_smallest() {
       const MeshPicture picture(grid, {loop ? 400.0 : 130.0, 0}, 26);
       picture.background(canvas, rgb(0xffffff));
       picture.edges(canvas);
-      paint_path(canvas, picture, walk(m, first, loop ? "sssslslsrslsslsss" : "slsrslr"), loop);
+      paint_path(canvas, picture, path_of(m, first, loop ? "sssslslsrslsslsss" : "slsrslr"), loop);
       canvas.text({loop ? 400.0 : 130.0, picture.low().y() - 16}, loop ? "a loop" : "an open path", 10);
     }
     canvas.text({-20, 0}, "(a)", 12);
@@ -78,9 +78,9 @@ Paint paint_turns_and_smallest() {
         Panel panel{region_with(kinds[row].first, d1, d2, kinds[row].second),
                     {kinds[row].first.name() + ":  d_1 = " + std::to_string(d1) + ", d_2 = " + std::to_string(d2)}};
         const enumerate::Reading reading = enumerate::read(panel.region, kinds[row].first);
-        const MeshPicture probe(panel.region, Point::Zero(), 1);
-        panel.grey = probe.ring(reading.frames.at(0).frame);
-        panel.blue = probe.between(reading.frames.at(0).frame);
+        const mesh::PairFrame& frame = reading.frames.at(0).frame;
+        panel.grey = mesh::ring(panel.region.mesh, frame);
+        panel.blue = mesh::grid(panel.region.mesh, frame).value();
         paint_panel(canvas, panel, {90 + 190 * static_cast<double>(column), -200 - 165 * static_cast<double>(row)}, 17);
       }
     }
@@ -109,7 +109,7 @@ Paint paint_separatrices() {
                            return f.labelling.p == 1;
                          })->frame;
       picture.background(canvas, rgb(0xffffff));
-      picture.faces(canvas, picture.between(frame), ink::kPaleBlue);
+      picture.faces(canvas, mesh::grid(m, frame).value(), ink::kPaleBlue);
       picture.edges(canvas);
       picture.boundary(canvas, {ink::kRed, 2});
       const Point centre = (picture.at(frame.v1) + picture.at(frame.v2)) / 2;

@@ -1,4 +1,4 @@
-// Figures 13 and 14, and the places of a lone vertex: regions, their boundaries and separatrices.
+// Figures 13 and 14, and the configurations of a single vertex: regions, their boundaries and separatrices.
 #pragma once
 
 #include "mesh/pictures/canvas.hpp"
@@ -7,11 +7,12 @@ namespace requad::figures {
 
 using namespace pictures;
 
-// Figure 13: the turns of an open path and of a loop; the smallest regions.
+// Figure 13: the turns of an open path and of a loop, and the smallest regions.
 Paint paint_turns_and_smallest();
 // Figure 14: a region of each kind with separatrices, strips and side lengths.
 Paint paint_separatrices();
-// The (L-1)^2 places of a single v8 in the regular octagon of side L: Theorem 7.1 is sharp. Precondition: L >= 2.
+// The (L-1)^2 configurations of a single v8 in the regular octagon of side L, which show that Theorem 7.1 is sharp.
+// Precondition: length >= 2.
 Paint paint_lone_v8(int length);
 
 }  // namespace requad::figures

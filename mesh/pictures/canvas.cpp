@@ -15,10 +15,11 @@ namespace requad::pictures {
 
 namespace {
 
-constexpr double kMargin = 8;                          // points round the drawing
-constexpr double kPixelsPerPoint = 2;                  // of a PNG
-constexpr double kLowered = 0.7;                       // size of what "_" sets lower
-constexpr const char* kDate = "2011-12-01T00:00:00Z";  // a PDF must not tell when it was made: the paper's month
+constexpr double kMargin = 8;          // points around the drawing
+constexpr double kPixelsPerPoint = 2;  // of a PNG
+constexpr double kLowered = 0.7;       // relative size of text that "_" lowers
+constexpr const char* kDate =
+    "2011-12-01T00:00:00Z";  // for every PDF, so that its bytes do not depend on the time: the paper's month
 
 struct SurfaceDeleter {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -38,9 +39,8 @@ void check(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(std::string("Cairo: ") + cairo_status_to_string(status));
 }
 
-// Cairo's SVG without what says nothing: values that are the default, the L of lines after a first point, and an id
-// that counts the surfaces of the process. Every curve here is a path of its own, so no number is taken for one of a
-// curve.
+// Cairo's SVG without redundant text: default values, the L of lines after a first point, and an id that counts the
+// surfaces of the process. Every curve here is a path of its own, so no number can be mistaken for one of a curve.
 std::string without_noise(const std::string& svg) {
   static const std::regex noise(
       "fill-rule:nonzero;|fill-opacity:1;|stroke-opacity:1;|stroke-miterlimit:10;|L | id=\"surface[0-9]+\"");
@@ -101,7 +101,7 @@ void Canvas::trace(const Polyline& line, bool closed) {
   Polyline points;
   for (const Point& p : line) {
     const Point next(snapped(p.x()), -snapped(p.y()));
-    // A point between two others, on their line, adds nothing. Rounded numbers are exact here.
+    // A point on the line between two others adds nothing. The test is exact, since the coordinates are rounded.
     while (points.size() >= 2) {
       const Point before = points.back() - points[points.size() - 2], after = next - points.back();
       if (before.x() * after.y() != before.y() * after.x() || before.dot(after) <= 0) break;

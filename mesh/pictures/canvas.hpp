@@ -1,7 +1,7 @@
-// A page to draw on, through Cairo: SVG, PDF and PNG from one description.
+// A page to draw on: SVG, PDF and PNG from one description, by Cairo.
 //
-// Coordinates are points (1/72 inch), x to the right and y upwards; the page is cut to what was drawn. All coordinates
-// are rounded to 1/4 point, which keeps files small. The same drawing gives the same bytes.
+// Coordinates are in points (1/72 inch), x to the right and y upwards. They are rounded to 1/4 point, which keeps files
+// small. The page is cropped to the drawing. The same drawing gives the same bytes.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 #include <Eigen/Core>
 
-struct
-    _cairo;  // cairo_t, so that users of this header need no Cairo. NOLINT(bugprone-reserved-identifier): its own name
+// Cairo's cairo_t. Users of this header need no header of Cairo.
+struct _cairo;  // NOLINT(bugprone-reserved-identifier): the name that Cairo gives it
 
 namespace requad::pictures {
 
@@ -23,7 +23,7 @@ using Polyline = std::vector<Point>;
 struct Colour {
   double red = 0, green = 0, blue = 0;  // 0..1
 };
-// 0xRRGGBB
+// The colour 0xRRGGBB.
 constexpr Colour rgb(unsigned value) {
   return {(value >> 16 & 255U) / 255.0, (value >> 8 & 255U) / 255.0, (value & 255U) / 255.0};
 }
@@ -31,33 +31,34 @@ std::string to_hex(Colour colour);  // "#rrggbb"
 
 struct Stroke {
   Colour colour;
-  double width = 0.5;
-  std::vector<double> dashes = {};  // lengths on, off, ...; empty: solid
+  double width = 0.5;               // in points
+  std::vector<double> dashes = {};  // lengths in points: on, off, ...; a solid line if empty
 };
 
 enum class Anchor { left, centre, right };
 
 class Canvas {
  public:
+  // The context must outlive the canvas.
   explicit Canvas(_cairo* context) : context_(context) {}
 
   void fill(const std::vector<Polyline>& polygons, Colour colour);
   void stroke(const std::vector<Polyline>& lines, const Stroke& stroke, bool closed = false);
   void polygon(const Polyline& polygon, std::optional<Colour> fill, const std::optional<Stroke>& stroke);
   void circle(Point centre, double radius, std::optional<Colour> fill, const std::optional<Stroke>& stroke);
-  // Part of a circle, counter-clockwise from one angle (radians) to another.
+  // Draws a part of a circle, counter-clockwise from one angle to another, in radians.
   void arc(Point centre, double radius, double from, double to, const Stroke& stroke);
-  // A line with a head at its end.
+  // Draws a line with a head, `head` points long, at its end.
   void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 6);
-  // UTF-8; "_" sets the next character, or the next ones in braces, lower: "E_1", "e_{12}". `at` is the baseline's
-  // left, middle or right; a capital is about 0.7 `size` high.
+  // Draws UTF-8 text. "_" lowers the next character, or the characters in the braces that follow: "E_1", "e_{12}". `at` is
+  // the left end, the middle or the right end of the baseline. A capital is about 0.7 `size` high.
   void text(Point at, const std::string& words, double size, Colour colour = {}, Anchor anchor = Anchor::centre);
 
  private:
   void trace(const Polyline& line, bool closed);
   void apply(Colour colour);
   void apply(const Stroke& stroke);
-  // Fills and strokes the path, as far as is asked for, and drops it.
+  // Fills the current path, if there is a colour, strokes it, if there is a stroke, and clears it.
   void paint(std::optional<Colour> fill, const std::optional<Stroke>& stroke);
 
   _cairo* context_;
@@ -65,8 +66,8 @@ class Canvas {
 
 using Paint = std::function<void(Canvas&)>;
 
-// What `paint` draws, on white, as "svg", "pdf" or "png" (144 dots per inch). Paint is called twice: to measure and to
-// draw. Throws std::invalid_argument for another format, std::runtime_error if Cairo fails.
+// The drawing on white as "svg", "pdf" or "png" (144 dots per inch). Calls `paint` twice: to measure and to draw. Throws
+// std::invalid_argument for another format and std::runtime_error if Cairo fails.
 std::string render(const Paint& paint, const std::string& format);
 
 }  // namespace requad::pictures

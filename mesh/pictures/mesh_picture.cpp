@@ -48,12 +48,12 @@ void mark_star(Canvas& canvas, Point at, double radius, Colour colour) {
 
 MeshPicture::MeshPicture(mesh::Region region, Point centre, double unit, double angle)
     : region_(std::move(region)), at_(mesh::draw(region_)) {
-  Eigen::Matrix2d turn;
-  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  Eigen::Matrix2d rotation;
+  rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   bool first = true;
   for (const VertexId v : mesh().vertices()) {
     Point& p = at_[v.slot()];
-    p = turn * p * unit + centre;
+    p = rotation * p * unit + centre;
     low_ = first ? p : Point(low_.cwiseMin(p));
     high_ = first ? p : Point(high_.cwiseMax(p));
     first = false;
@@ -107,7 +107,8 @@ void MeshPicture::edges(Canvas& canvas, double width, Colour colour) const {
     if (mesh().is_boundary(h) || drawn[h.slot()]) continue;
     const auto forth = mesh::trace(mesh(), h).path;
     const auto back = mesh::trace(mesh(), mesh().twin(h)).path;
-    Polyline line;  // from where `back` ends over the origin of h to where `forth` ends
+    // From the end of `back` through the origin of h to the end of `forth`.
+    Polyline line;
     for (auto it = back.rbegin(); it != back.rend(); ++it) line.push_back(at(mesh().target(*it)));
     for (const HalfEdgeId g : forth) line.push_back(at(mesh().target(g)));
     for (const auto* path : {&forth, &back}) {
@@ -142,11 +143,5 @@ void MeshPicture::path(Canvas& canvas, std::span<const HalfEdgeId> half_edges, c
 void MeshPicture::irregular(Canvas& canvas, double radius) const {
   for (const VertexId v : mesh::irregular_vertices(mesh())) mark_vertex(canvas, at(v), mesh().valence(v), radius);
 }
-
-std::vector<FaceId> MeshPicture::between(const mesh::PairFrame& frame) const {
-  return mesh::grid(mesh(), frame).value_or(std::vector<FaceId>{});
-}
-
-std::vector<FaceId> MeshPicture::ring(const mesh::PairFrame& frame) const { return mesh::ring(mesh(), frame); }
 
 }  // namespace requad::pictures

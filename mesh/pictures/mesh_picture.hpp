@@ -1,15 +1,15 @@
-// A region on a page, with what the paper marks on it.
+// A region on a page, with the marks of the paper's figures.
 //
-// Legend of all figures: what is told by a colour is told by a shape too, for print without colours and for readers who
-// do not see them. Colours are those of Okabe and Ito's palette and tints of them.
-//   irregular vertex   a polygon of as many corners as its valence: v3 blue, v5 orange, v6 red, v2 (a rhomb) purple
+// Legend of all figures. A shape says what a colour says, for print without colours and for readers who do not see them.
+// The colours are Okabe and Ito's palette and tints of it.
+//   irregular vertex   a polygon with as many corners as its valence: v3 blue, v5 orange, v6 and more red, v2 (a rhombus)
+//                      purple
 //   R_alpha            blue quads; its ring, the smallest convex region with the pair, grey
-//   face made          yellow with a plus; face deleted: red with a cross
+//   face               made: yellow with a plus; deleted: red with a cross
 #pragma once
 
 #include <span>
 
-#include "mesh/irregular/pair_frame.hpp"
 #include "mesh/pictures/canvas.hpp"
 #include "mesh/topology/region.hpp"
 
@@ -33,38 +33,38 @@ inline constexpr Colour kIce = rgb(0xdcecf6);       // strips that stay
 
 // The colour of irregular vertices of a valence.
 Colour valence_colour(int valence);
+// Draws the polygon of an irregular vertex. The radius, here and below, is in points.
 void mark_vertex(Canvas& canvas, Point at, int valence, double radius);
 void mark_star(Canvas& canvas, Point at, double radius, Colour colour);
 
 class MeshPicture {
  public:
-  // The region as mesh::draw() draws it, an edge about `unit` points long, its outline's centre at `centre`, turned
-  // counter-clockwise by an angle in radians.
+  // The region as mesh::draw() draws it, with edges about `unit` points long and the centre of its outline at `centre`,
+  // turned counter-clockwise by an angle in radians.
   MeshPicture(mesh::Region region, Point centre, double unit, double angle = 0);
 
   const mesh::Region& region() const { return region_; }
   const mesh::QuadMesh& mesh() const { return region_.mesh; }
   Point at(mesh::VertexId v) const { return at_[v.slot()]; }
   Point middle(mesh::FaceId f) const;
-  Point low() const { return low_; }  // of the bounding box
-  Point high() const { return high_; }
+  Point low() const { return low_; }    // lower left corner of the bounding box
+  Point high() const { return high_; }  // upper right corner
 
   void background(Canvas& canvas, Colour colour) const;
   void faces(Canvas& canvas, std::span<const mesh::FaceId> faces, Colour colour) const;
   void made(Canvas& canvas, std::span<const mesh::FaceId> faces) const;
   void deleted(Canvas& canvas, std::span<const mesh::FaceId> faces) const;
-  // All edges, the boundary twice as thick; each straight line of edges is one line of the picture.
+  // Draws all edges, with the boundary twice as thick. Each straight path of edges becomes one line of the picture.
   void edges(Canvas& canvas, double width = 0.5, Colour colour = ink::kLine) const;
   void boundary(Canvas& canvas, const Stroke& stroke) const;
+  // Draws a path of half-edges, each of which starts where the one before it ends.
   void path(Canvas& canvas, std::span<const mesh::HalfEdgeId> half_edges, const Stroke& stroke) const;
+  // Marks all irregular vertices.
   void irregular(Canvas& canvas, double radius) const;
-
-  // The faces of R_alpha, and those with a corner on it; for a merged vertex, none and its own.
-  std::vector<mesh::FaceId> between(const mesh::PairFrame& frame) const;
-  std::vector<mesh::FaceId> ring(const mesh::PairFrame& frame) const;
 
  private:
   Polyline outline() const;
+  // Draws a plus (upright) or a cross in each face.
   void crosses(Canvas& canvas, std::span<const mesh::FaceId> faces, Colour colour, bool upright) const;
 
   mesh::Region region_;

@@ -1,0 +1,14 @@
+// Figures 6-8: moves of a pair before and after, made by the library on the mesh that is drawn.
+#pragma once
+
+#include "mesh/pictures/canvas.hpp"
+
+namespace requad::figures {
+
+using namespace pictures;
+
+Paint paint_pair_moves();        // Figure 6
+Paint paint_detour();            // Figure 7
+Paint paint_equal_pair_moves();  // Figure 8
+
+}  // namespace requad::figures
