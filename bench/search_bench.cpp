@@ -4,6 +4,7 @@
 
 #include "bench/require.hpp"
 #include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 
 namespace requad::bench {
 namespace {

@@ -10,6 +10,7 @@
 #include "enumerate/graph_output.hpp"
 #include "enumerate/realisation.hpp"
 #include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 #include "mesh/files/polygon_mesh.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/program/options.hpp"

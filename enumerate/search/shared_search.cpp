@@ -1,81 +1,94 @@
 #include "enumerate/search/shared_search.hpp"
 
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "mesh/threads/threads.hpp"
 
 namespace requad::enumerate {
 
-SharedSearch::SharedSearch(std::vector<BacktrackingSearch> starts, SharedLimits& shared)
-    : starts_(std::move(starts)), shared_(shared) {
-  for (std::size_t i = 0; i < starts_.size(); ++i) parts_.push_back({static_cast<int>(i), starts_[i]});
+SharedSearch::SharedSearch(std::vector<BacktrackingSearch> starts, SearchControl& control)
+    : starts_(std::move(starts)), control_(control) {
+  for (std::size_t i = 0; i < starts_.size(); ++i) subtrees_.push_back({static_cast<int>(i), starts_[i]});
 }
 
-void SharedSearch::follow(int threads, const BacktrackingSearch::Visit& visit) {
-  shared_.stop = false;
+void SharedSearch::run(int threads, const BacktrackingSearch::Visit& visit) {
+  control_.stop = false;
   states_ = 0;
   const auto workers = static_cast<std::size_t>(threads::thread_count(threads));
   threads::run_on_threads(workers, threads, [&](std::size_t) { work(visit); });
 }
 
 void SharedSearch::work(const BacktrackingSearch::Visit& visit) {
-  std::unique_lock lock(mutex_);
-  while (!shared_.stop) {
-    if (parts_.empty()) {
-      if (running_ == 0) break;
-      ++idle_, tell_wanted();
-      changed_.wait(lock);
-      --idle_, tell_wanted();
-      continue;
-    }
-    // A copy of this thread's own: what two threads write lies apart.
-    Part part = parts_.back();
-    parts_.pop_back();
-    tell_wanted();
-    ++running_;
-    lock.unlock();
-    const BacktrackingSearch::Sharing sharing{wanted_, [this, start = part.start](const BacktrackingSearch& given) {
-                                                const std::scoped_lock handing(mutex_);
-                                                parts_.push_back({start, given});
-                                                tell_wanted();
-                                                changed_.notify_one();
-                                              }};
-    bool done = true;
+  // The subtree is this worker's own copy, so that what two threads write lies apart.
+  while (std::optional<Subtree> subtree = next_subtree()) {
+    bool complete = false;
     try {
-      done = part.filler.run(visit, sharing);
-    } catch (...) {  // out of a visit: the others must not wait for this one
-      lock.lock();
-      --running_;
-      shared_.stop = true;
+      complete = search_subtree(*subtree, visit);
+    } catch (...) {  // the visit threw: the other workers must not wait for this one
+      const std::scoped_lock lock(mutex_);
+      --busy_;
+      control_.stop = true;
       changed_.notify_all();
       throw;
     }
-    lock.lock();
-    --running_;
-    states_ += part.filler.states();
-    if (!done) parts_.push_back(std::move(part));
-    if (!done || running_ == 0) changed_.notify_all();
+    const std::scoped_lock lock(mutex_);
+    --busy_;
+    states_ += subtree->search.states();
+    if (!complete) subtrees_.push_back(*std::move(subtree));
+    if (!complete || busy_ == 0) changed_.notify_all();
   }
 }
 
-std::vector<std::vector<int>> SharedSearch::left() const {
-  std::vector<std::vector<int>> left;
-  for (const Part& part : parts_) {
-    left.push_back(part.filler.trail());
-    left.back().insert(left.back().begin(), part.start);
+// Waits for a subtree, and takes it. Nothing when the search is to stop, or is done.
+std::optional<SharedSearch::Subtree> SharedSearch::next_subtree() {
+  std::unique_lock lock(mutex_);
+  while (!control_.stop) {
+    if (!subtrees_.empty()) {
+      Subtree subtree = subtrees_.back();
+      subtrees_.pop_back();
+      update_wanted();
+      ++busy_;
+      return subtree;
+    }
+    if (busy_ == 0) return std::nullopt;
+    ++idle_, update_wanted();
+    changed_.wait(lock);
+    --idle_, update_wanted();
   }
-  return left;
+  return std::nullopt;
 }
 
-void SharedSearch::set_left(const std::vector<std::vector<int>>& parts) {
-  parts_.clear();
-  for (const std::vector<int>& numbers : parts) {
+bool SharedSearch::search_subtree(Subtree& subtree, const BacktrackingSearch::Visit& visit) {
+  return subtree.search.run(visit, {wanted_, [&](const BacktrackingSearch& given) {
+                                      add_subtree({subtree.start, given});
+                                    }});
+}
+
+void SharedSearch::add_subtree(Subtree subtree) {
+  const std::scoped_lock lock(mutex_);
+  subtrees_.push_back(std::move(subtree));
+  update_wanted();
+  changed_.notify_one();
+}
+
+std::vector<std::vector<int>> SharedSearch::remaining() const {
+  std::vector<std::vector<int>> remaining;
+  for (const Subtree& subtree : subtrees_) {
+    remaining.push_back(subtree.search.guiding_path());
+    remaining.back().insert(remaining.back().begin(), subtree.start);
+  }
+  return remaining;
+}
+
+void SharedSearch::set_remaining(const std::vector<std::vector<int>>& subtrees) {
+  subtrees_.clear();
+  for (const std::vector<int>& numbers : subtrees) {
     if (numbers.empty() || numbers[0] < 0 || static_cast<std::size_t>(numbers[0]) >= starts_.size())
       throw std::invalid_argument("there is no such start");
-    Part part{numbers[0], starts_[static_cast<std::size_t>(numbers[0])]};
-    part.filler.go_to({numbers.begin() + 1, numbers.end()});
-    parts_.push_back(std::move(part));
+    Subtree subtree{numbers[0], starts_[static_cast<std::size_t>(numbers[0])]};
+    subtree.search.go_to({numbers.begin() + 1, numbers.end()});
+    subtrees_.push_back(std::move(subtree));
   }
 }
 

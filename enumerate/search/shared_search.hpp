@@ -1,7 +1,7 @@
-// What is left of a search: fillers, each with work of its own, and the threads that do it.
+// One search by several threads: the subtrees that are still to be searched, and the workers that search them.
 //
-// The parts of a search differ by orders of magnitude, so none is cut to size beforehand: whoever has nothing to do waits
-// for what the others hand over of theirs (backtracking.hpp).
+// The subtrees of a search differ in size by orders of magnitude, so none is cut to size beforehand. A worker that has
+// nothing to do waits for what another one gives away (work sharing, backtracking.hpp).
 //
 // Internal: not installed.
 #pragma once
@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "enumerate/search/backtracking.hpp"
@@ -20,37 +20,40 @@ namespace requad::enumerate {
 
 class SharedSearch {
  public:
-  // The fillers that a search starts with, each after its open_hole().
-  SharedSearch(std::vector<BacktrackingSearch> starts, SharedLimits& shared);
+  // The searches to be done, one for each partial mesh to start from. `control` must outlive this.
+  SharedSearch(std::vector<BacktrackingSearch> starts, SearchControl& control);
 
-  // Calls visit, from several threads at once unless `threads` is 1, until nothing is left or SharedLimits says stop. An
-  // exception out of a visit ends all threads and comes through; what is left is unknown then.
-  void follow(int threads, const BacktrackingSearch::Visit& visit);
-  bool empty() const { return parts_.empty(); }
-  // How many quads the last follow() placed.
+  // Calls visit until nothing remains or SearchControl says stop; from several threads at once unless `threads` is 1. If a
+  // visit throws, all threads stop, and the exception comes out of run(); what remains is unknown then.
+  void run(int threads, const BacktrackingSearch::Visit& visit);
+  bool done() const { return subtrees_.empty(); }
+  // The number of quads that the last run() placed.
   std::int64_t states() const { return states_; }
 
-  // All that is left, as numbers: for each part that of its start, then its trail.
-  std::vector<std::vector<int>> left() const;
-  // Makes that what is left. Throws std::invalid_argument if the numbers do not say so.
-  void set_left(const std::vector<std::vector<int>>& parts);
+  // What remains, as numbers: for each subtree the index of its start, then its guiding path.
+  std::vector<std::vector<int>> remaining() const;
+  // Makes this what remains. Throws std::invalid_argument if the numbers are not such a list of this search.
+  void set_remaining(const std::vector<std::vector<int>>& subtrees);
 
  private:
-  struct Part {
+  struct Subtree {
     int start;
-    BacktrackingSearch filler;
+    BacktrackingSearch search;
   };
   void work(const BacktrackingSearch::Visit& visit);
-  void tell_wanted() { wanted_ = idle_ > parts_.size(); }
+  std::optional<Subtree> next_subtree();
+  bool search_subtree(Subtree& subtree, const BacktrackingSearch::Visit& visit);
+  void add_subtree(Subtree subtree);
+  void update_wanted() { wanted_ = idle_ > subtrees_.size(); }
 
   const std::vector<BacktrackingSearch> starts_;
-  SharedLimits& shared_;
-  std::atomic<bool> wanted_{false};
-  std::mutex mutex_;  // of all below
+  SearchControl& control_;
+  std::atomic<bool> wanted_{false};  // more workers wait than there are subtrees for them
+  std::mutex mutex_;                 // guards all below
   std::condition_variable changed_;
-  std::vector<Part> parts_;  // that no thread works on
-  std::size_t running_ = 0;  // threads with a part
-  std::size_t idle_ = 0;     // threads that wait for one
+  std::vector<Subtree> subtrees_;  // those that no worker has
+  std::size_t busy_ = 0;           // workers that have one
+  std::size_t idle_ = 0;           // workers that wait for one
   std::int64_t states_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // Searches that are stopped and gone on with: whenever and however often that is, they find what one run finds.
 #include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 #include "mesh/program/journal_file.hpp"
 #include "mesh/program/program.hpp"
 #include "tests/support/catch.hpp"
@@ -178,7 +179,7 @@ TEST_CASE("a search's journal that says what can not be is refused", "[search][j
     CAPTURE(place, value);
     CHECK(refused(place, value).starts_with(prefix + "line 2: it is no record: "));
   }
-  // No start but 0; no trail of an even number; no move that was not listed; more left than was.
+  // No start but 0; no guiding path of an even number; no placement that was not listed; more untried than there were.
   for (const char* left :
        {"[[]]", "[[1,1]]", "[[0]]", "[[0,0,1]]", "[[0,1000]]", "[[0,1000,0,0]]", "[[0,0,1,0]]", "[[0,0,0,1000]]"}) {
     CAPTURE(left);

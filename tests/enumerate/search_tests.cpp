@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"

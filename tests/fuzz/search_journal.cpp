@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/fuzz/journal_in_memory.hpp"
 

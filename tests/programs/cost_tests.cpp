@@ -151,26 +151,27 @@ TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs
 TEST_CASE("the search allocates nothing once its stacks have their size", "[search][costs]") {
   using enumerate::BacktrackingSearch;
   const auto count = [](const std::vector<int>& sides, const std::vector<int>& irregular) {
-    enumerate::SearchLimits limits;
-    enumerate::SharedLimits shared(limits);
-    BacktrackingSearch filler(irregular, shared);
-    std::vector<BacktrackingSearch::BoundaryVertex> boundary;
+    enumerate::SearchControl control{enumerate::SearchLimits()};
+    enumerate::PartialMesh start(irregular);
+    std::vector<enumerate::PartialMesh::BoundaryVertex> ring;
     for (const int quads : enumerate::search_problem(sides, irregular).interior_quads)
-      boundary.push_back({filler.add_vertex(), quads});
-    const int length = static_cast<int>(boundary.size());
-    for (int i = 0; i < length; ++i) filler.add_edge(i, (i + 1) % length);
-    REQUIRE(filler.open_hole(boundary));
+      ring.push_back({start.add_vertex(), quads});
+    const int length = static_cast<int>(ring.size());
+    for (int i = 0; i < length; ++i) start.add_edge(i, (i + 1) % length);
+    start.open_hole(ring);
+    REQUIRE(enumerate::may_be_filled(start, control.pruning));
+    BacktrackingSearch search(start, control);
     std::int64_t fillings = 0;
     const BacktrackingSearch::Visit visit = [&fillings](const enumerate::Filling&) { ++fillings; };
     const std::atomic<bool> wanted = false;
-    const BacktrackingSearch::Sharing sharing{wanted, {}};
-    const BacktrackingSearch::Trail start = filler.trail();
-    REQUIRE(filler.run(visit, sharing));
-    const std::int64_t states = filler.states();
+    const BacktrackingSearch::WorkSharing sharing{wanted, {}};
+    const BacktrackingSearch::GuidingPath root = search.guiding_path();
+    REQUIRE(search.run(visit, sharing));
+    const std::int64_t states = search.states();
     const std::int64_t found = fillings;
-    filler.go_to(start);
-    CHECK(allocations_of([&] { filler.run(visit, sharing); }) == 0);
-    CHECK(filler.states() == states);
+    search.go_to(root);
+    CHECK(allocations_of([&] { search.run(visit, sharing); }) == 0);
+    CHECK(search.states() == states);
     CHECK(fillings == 2 * found);
     return states;
   };

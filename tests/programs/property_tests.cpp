@@ -12,7 +12,7 @@
 #include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
 #include "enumerate/realisation.hpp"
-#include "enumerate/search/search.hpp"
+#include "enumerate/search/spheres.hpp"
 #include "mesh/editing/features.hpp"
 #include "mesh/files/polygon_mesh.hpp"
 #include "mesh/irregular/pair_moves.hpp"

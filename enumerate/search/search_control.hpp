@@ -1,0 +1,35 @@
+// What all branches of one search share: the pruning rules, the limits, and the flags by which the search stops.
+//
+// Internal: not installed.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "enumerate/search/search.hpp"
+
+namespace requad::enumerate {
+
+struct SearchControl {
+  using Clock = std::chrono::steady_clock;
+
+  // The time that `limits` allows starts to run here.
+  explicit SearchControl(const SearchLimits& limits);
+
+  SearchPruning pruning;
+  int most_faces;                             // fillings with more faces are not looked for
+  std::optional<Clock::time_point> deadline;  // the search ends then
+  std::optional<Clock::time_point> pause;     // the search stops then, so that its journal can be written
+  std::function<void(std::int64_t)> progress;
+  std::atomic<bool> stop{false};            // every thread stops at its next look
+  std::atomic<bool> face_limit_cut{false};  // a branch ended at most_faces
+
+  // Reports that so many more states were visited. Returns whether the search is to stop, and sets `stop` if one of the
+  // two times has passed. Safe from any thread if `progress` is.
+  bool should_stop(std::int64_t states);
+};
+
+}  // namespace requad::enumerate

@@ -1,0 +1,35 @@
+// Exhaustive search for closed spheres.
+//
+// Contract. search_spheres() produces every simple quadrangulation of the sphere whose irregular vertices have exactly the
+// given valences, up to a given number of vertices V = faces + 2, precisely once up to isomorphism. A sphere is
+// represented by its canonical signature. The smallest sphere is two quads with one boundary (four v2s, V = 4).
+//
+// How. Each sphere is cut open at one quad of a vertex whose irregular valence is the rarest; the rest is a hole for
+// search.hpp's method. A sphere is met once for each such quad, up to its symmetries, and told from the others by its
+// signature. So memory grows with the number of spheres.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "enumerate/search/search.hpp"
+
+namespace requad::enumerate {
+
+struct SphereOutcome {
+  std::map<int, std::int64_t> counts;           // by V; mirror images count as one sphere
+  std::map<int, std::int64_t> oriented_counts;  // by V; they count as two
+  std::vector<std::string> signatures;          // one for both mirror images, the lesser; sorted
+  std::int64_t states = 0;                      // quads placed, over all branches
+  bool complete = true;                         // false: out of time
+};
+// `vertices` is the largest V. Throws std::invalid_argument for a valence below 2, above 100, or 4, and for indices 4 - l
+// that do not sum to 8, under which there is no sphere at all; program::UsageError for a journal that cannot be gone on
+// with. limits.faces has no effect.
+SphereOutcome search_spheres(const std::vector<int>& irregular, int vertices, const SearchLimits& limits,
+                             const std::optional<SearchJournal>& journal = {});
+
+}  // namespace requad::enumerate
