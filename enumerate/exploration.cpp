@@ -42,8 +42,8 @@ void explore_node(Exploration& found, std::size_t i, const std::function<int(con
       continue;
     }
     result.operations = static_cast<int>(report.operations.size());
-    result.faces_made = static_cast<int>(report.faces_made.size());
-    result.faces_deleted = static_cast<int>(report.faces_deleted.size());
+    result.faces_made = report.faces_made();
+    result.faces_deleted = report.faces_deleted();
     result.after = labelling(work, type, report.inverse.frame);
     Region back = work;
     result.inverse_returns = mesh::move_pair(back.mesh, report.inverse).refusal == mesh::Refusal::none &&

@@ -201,7 +201,7 @@ class Walker {
     const mesh::PairMover::Moved moved = mover_.move(move_of(predicted, slot));
     if (moved.refusal != mesh::Refusal::none) {
       if (predicted.target >= 0) {
-        fail(std::string("a step that theory allows was refused: ") + std::string(mesh::explain(moved.refusal)));
+        fail(std::string("a step that theory allows was refused: ") + std::string(moved.refusal.clause()));
         return false;
       }
       ++result_.refusals;

@@ -11,6 +11,7 @@ namespace {
 
 using mesh::AtomicChoice;
 using mesh::AtomicName;
+using mesh::EditRefusal;
 using mesh::HalfEdgeId;
 using mesh::Refusal;
 using mesh::VertexId;
@@ -62,8 +63,8 @@ Told tell(Session& session, const AtomicChoice& choice) {
                {"legal", legal}};
   told.text = ends(session, along) + ", " + name + ": ";
   if (!legal) {
-    told.json["why"] = explain(choice.refusal);
-    told.text += "no: " + std::string(explain(choice.refusal)) + "\n";
+    told.json["why"] = choice.refusal.clause();
+    told.text += "no: " + std::string(choice.refusal.clause()) + "\n";
     return told;
   }
   const std::size_t mark = session.editor().mark();
@@ -133,7 +134,8 @@ int make(Session& session, const Place& place, const std::string& wanted) {
 int atomic(const Options& options) {
   Session session(options, "atomic");
   const Place place = place_of(session);
-  if (session.mesh().is_boundary(place.v)) return session.refused(session.describe(place.v), Refusal::touches_boundary);
+  if (session.mesh().is_boundary(place.v))
+    return session.refused(session.describe(place.v), EditRefusal::touches_boundary);
   return options.has("make") ? make(session, place, options.text("make")) : list(session, place);
 }
 

@@ -12,6 +12,7 @@ namespace requad::edit {
 namespace {
 
 using mesh::Editor;
+using mesh::EditRefusal;
 using mesh::HalfEdgeId;
 using mesh::PairMove;
 using mesh::QuadMesh;
@@ -26,7 +27,7 @@ bool is_lone(const Session& session) { return session.options().words().size() =
 int refuse_lone(Session& session) {
   const VertexId v = session.vertex(session.options().words()[1]);
   const bool irregular = session.editor().sectors().is_irregular(v);
-  return session.refused(session.describe(v), irregular ? Refusal::lone_vertex : Refusal::wrong_valences);
+  return session.refused(session.describe(v), irregular ? EditRefusal::lone_vertex : EditRefusal::wrong_valences);
 }
 
 // The session's two vertices: the second and third word.
@@ -59,7 +60,7 @@ Way try_step(Editor& editor, const PairMove& move) {
   if (way.refusal != Refusal::none) return way;
   const mesh::PairFrame& to = report.inverse.frame;
   way.operations = static_cast<int>(report.operations.size());
-  way.faces = static_cast<int>(report.faces_made.size()) - static_cast<int>(report.faces_deleted.size());
+  way.faces = report.faces_made() - report.faces_deleted();
   way.effect = "(" + std::to_string(move.frame.d1) + "," + std::to_string(move.frame.d2) + ") becomes (" +
                std::to_string(to.d1) + "," + std::to_string(to.d2) + ")";
   return way;
@@ -93,7 +94,7 @@ Refusal for_each_way(Session& session, VertexId a, VertexId b, Visit&& visit) {
     sectors.for_each_sector(v, [&](HalfEdgeId h) { one = one || std::abs(sectors.excess(h)) == 1; });
     return one;
   };
-  if (a == b || !is_one(a) || !is_one(b)) return Refusal::wrong_valences;
+  if (a == b || !is_one(a) || !is_one(b)) return EditRefusal::wrong_valences;
   const std::size_t mark = editor.mark();
   std::vector<PairMove> steps;  // of free vertices; features and boundaries allow couriers only
   if (!editor.is_fixed(a) && !editor.is_fixed(b)) steps = mesh::pair_moves(m, a, b);
@@ -132,13 +133,13 @@ int moves(const Options& options) {
     if (legal) {
       entry.update(ordered_json{{"effect", way.effect}, {"operations", way.operations}, {"faces", way.faces}});
     } else {
-      entry["why"] = explain(way.refusal);
+      entry["why"] = way.refusal.clause();
     }
     list.push_back(entry);
     text += way.name + ": " +
             (legal ? way.effect + ", " + signed_text(way.faces) + " faces by " +
                          counted(way.operations, "operation", "operations")
-                   : "no: " + std::string(explain(way.refusal))) +
+                   : "no: " + std::string(way.refusal.clause())) +
             "\n";
     return false;
   });

@@ -28,7 +28,7 @@ std::string ending(const mesh::ReduceReport& report, int until) {
   if (report.after <= until) return "--until is reached";
   std::string text = "what is left can not be cancelled here";
   for (const auto& [refusal, count] : report.refusals)
-    text += "; " + counted(count, "pair: ", "pairs: ") + std::string(explain(refusal));
+    text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
     text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
   return text;

@@ -139,8 +139,8 @@ int Session::done(ordered_json summary, const std::string& text) {
 }
 
 int Session::refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles) {
-  const std::string met = why == mesh::Refusal::no_way ? to_string(obstacles) : "";
-  std::cerr << "requad-edit: " << command_ << ": " << program::one_line(wish) << ": " << mesh::explain(why)
+  const std::string met = why == mesh::EditRefusal::no_path ? to_string(obstacles) : "";
+  std::cerr << "requad-edit: " << command_ << ": " << program::one_line(wish) << ": " << why.clause()
             << (met.empty() ? "" : "; in the way: " + met) << '\n';
   return program::kCheckFailed;
 }

@@ -4,79 +4,49 @@
 
 namespace requad::mesh {
 
-VertexId Edit::removed_vertex() const {
-  if (!removed_face().valid()) return {};
-  return changed[static_cast<std::size_t>(QuadMesh::opposite(operation.h).index() & 3)];
-}
-
-FaceId Edit::removed_face() const {
-  if (!operates || operation.kind != BasicOperation::Kind::collapse) return {};
-  return QuadMesh::face(operation.h);
-}
-
-VertexId Edit::made_vertex() const { return made_face().valid() ? changed[3] : VertexId(); }
-
-FaceId Edit::made_face() const {
-  if (!operates || operation.kind != BasicOperation::Kind::split) return {};
-  return QuadMesh::face(inverse.h);
-}
-
 Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions, const SectorPlan* plan)
-    : mesh_(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
+    : OperationLog(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
+  grow_positions();
+}
+
+// A position for each vertex slot.
+void Editor::grow_positions() {
   if (positions_ != nullptr)
     positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
 }
 
 Refusal Editor::why_not(const BasicOperation& operation) const {
-  const Refusal refusal = mesh::why_not(mesh_, operation);
+  const Refusal refusal = OperationLog::why_not(operation);
   if (refusal != Refusal::none || features_ == nullptr) return refusal;
   return features_->why_not(mesh_, operation);
 }
 
-Applied Editor::perform(const BasicOperation& operation, Edit& edit) {
-  Applied done;
-  done.refusal = why_not(operation);
-  if (done.refusal != Refusal::none) return done;
-  edit.operates = true;
-  edit.operation = operation;
-  edit.changed = changed_vertices(mesh_, operation);
-  done = apply_unchecked(mesh_, operation);
-  edit.inverse = done.inverse;
-  if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
-  if (positions_ != nullptr)
-    positions_->resize(static_cast<std::size_t>(mesh_.vertex_capacity()), Eigen::Vector3d::Zero());
-  return done;
-}
-
 Applied Editor::run(const BasicOperation& operation) {
-  Edit edit;
-  const Applied done = perform(operation, edit);
-  if (done.refusal != Refusal::none) return done;
-  if (const VertexId removed = edit.removed_vertex(); positions_ != nullptr && removed.valid()) {
+  const Applied done = perform(operation);
+  if (done.refusal != Refusal::none || positions_ == nullptr) return done;
+  grow_positions();
+  Edit& edit = edits_.back();
+  if (const VertexId removed = edit.removed_vertex(); removed.valid()) {
     const VertexId kept = edit.changed[static_cast<std::size_t>(operation.h.index() & 3)];
     if (!is_fixed(kept))
       record_placement(edit, kept, 0.5 * ((*positions_)[kept.slot()] + (*positions_)[removed.slot()]));
-  } else if (positions_ != nullptr && edit.made_vertex().valid()) {
+  } else if (edit.made_vertex().valid()) {
     place_parts(done.made, edit);
   }
-  edits_.push_back(std::move(edit));
   return done;
 }
 
 Applied Editor::replay(const BasicOperation& operation, const Eigen::Vector3d& made_at) {
-  Edit edit;
-  const Applied done = perform(operation, edit);
-  if (done.refusal != Refusal::none) return done;
-  if (const VertexId made = edit.made_vertex(); positions_ != nullptr && made.valid())
-    record_placement(edit, made, made_at);
-  edits_.push_back(std::move(edit));
+  const Applied done = perform(operation);
+  if (done.refusal != Refusal::none || positions_ == nullptr) return done;
+  grow_positions();
+  Edit& edit = edits_.back();
+  if (const VertexId made = edit.made_vertex(); made.valid()) record_placement(edit, made, made_at);
   return done;
 }
 
 void Editor::place(VertexId v, const Eigen::Vector3d& position) {
-  Edit edit;
-  record_placement(edit, v, position);
-  edits_.push_back(std::move(edit));
+  record_placement(edits_.emplace_back(), v, position);
 }
 
 void Editor::record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to) {
@@ -112,11 +82,10 @@ void Editor::place_parts(HalfEdgeId made, Edit& edit) {
 
 void Editor::roll_back(std::size_t mark) {
   while (edits_.size() > mark) {
-    const Edit& edit = edits_.back();
+    const std::vector<Placement>& placements = edits_.back().placements;
     // NOLINTNEXTLINE(modernize-loop-convert): clang 14 refuses the reversed views of GCC 12's library
-    for (auto p = edit.placements.rbegin(); p != edit.placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
-    if (edit.operates) take_back(mesh_, edit.inverse);
-    edits_.pop_back();
+    for (auto p = placements.rbegin(); p != placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
+    take_back_last();
   }
 }
 

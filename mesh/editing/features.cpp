@@ -44,7 +44,7 @@ Refusal FeatureSet::why_not(const QuadMesh& mesh, const BasicOperation& op) cons
       }
       break;
   }
-  return breaks ? Refusal::breaks_feature : Refusal::none;
+  return breaks ? FeatureRefusal::breaks_feature : Refusal::none;
 }
 
 }  // namespace requad::mesh

@@ -21,6 +21,17 @@
 
 namespace requad::mesh {
 
+// Why an edit is refused for the sake of a feature.
+namespace reasons {
+inline constexpr Refusal::Reason kBreaksFeature{11, "a feature edge would go"};
+inline constexpr Refusal::Reason kMovesFeature{12, "a vertex on a feature would move"};
+}  // namespace reasons
+
+struct FeatureRefusal {
+  static constexpr Refusal breaks_feature{reasons::kBreaksFeature};
+  static constexpr Refusal moves_feature{reasons::kMovesFeature};
+};
+
 class FeatureSet {
  public:
   // Makes the edge between a and b a feature edge. Twice is once. O(1).
@@ -35,7 +46,7 @@ class FeatureSet {
   // All edges, least vertex first, in increasing order. O(n log n).
   std::vector<std::array<VertexId, 2>> edges() const;
 
-  // Law F: Refusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
+  // Law F: FeatureRefusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
   Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation) const;
 
  private:

@@ -395,8 +395,8 @@ class Replayer {
 
   Refusal operate(const Change& change) {
     const Refusal refusal = editor_.why_not(*change.operation);
-    if (refusal == Refusal::breaks_feature) return refusal;
-    if (refusal != Refusal::none) fail(change, std::string(explain(refusal)));
+    if (refusal == FeatureRefusal::breaks_feature) return refusal;
+    if (refusal != Refusal::none) fail(change, std::string(refusal.clause()));
     if (change.operation->kind == Kind::collapse) {
       if (m_.origin(QuadMesh::opposite(change.operation->h)) != change.vertex)
         fail(change, "the collapse does not remove vertex " + std::to_string(change.vertex.index()));
@@ -413,7 +413,7 @@ class Replayer {
     const VertexId v = change.vertex;
     if (!m_.is_live(v)) fail(change, "there is no vertex " + std::to_string(v.index()) + " any more");
     if (m_.is_boundary(v)) fail(change, "vertex " + std::to_string(v.index()) + " lies on the boundary");
-    if (editor_.sectors().is_feature(v)) return Refusal::moves_feature;
+    if (editor_.sectors().is_feature(v)) return FeatureRefusal::moves_feature;
     check_place(change);
     editor_.place(v, change.to);
     return Refusal::none;

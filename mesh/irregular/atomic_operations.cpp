@@ -116,24 +116,26 @@ struct Resolved {
 
 // Whether the valences are those of the rule.
 Refusal why_not_by_valences(const QuadMesh& m, const AtomicName& name, const Sent& sent, const PlannedStep& planned) {
-  if (name.kind == AtomicKind::raise) return m.valence(planned.next_v) < 3 ? Refusal::wrong_valences : Refusal::none;
+  if (name.kind == AtomicKind::raise)
+    return m.valence(planned.next_v) < 3 ? EditRefusal::wrong_valences : Refusal::none;
   if (name.kind == AtomicKind::lower) return Refusal::none;  // any V; K is in range
   const std::array<int, 4>& wanted = rule(name.kind).valences;
   if (m.valence(m.origin(sent.pair)) != wanted[0] || m.valence(m.target(sent.pair)) != wanted[1])
-    return Refusal::wrong_valences;
+    return EditRefusal::wrong_valences;
   const bool next_u_fits = sent.step.kind == StepKind::split || m.valence(planned.next_u) == wanted[2];
-  return next_u_fits && m.valence(planned.next_v) == wanted[3] ? Refusal::none : Refusal::irregular_in_the_way;
+  return next_u_fits && m.valence(planned.next_v) == wanted[3] ? Refusal::none : EditRefusal::irregular_in_the_way;
 }
 
 Resolved resolve(const Editor& editor, const AtomicOperation& op) {
   const QuadMesh& m = editor.mesh();
   const auto refused = [](Refusal why) { return Resolved{why, {}, {}}; };
   if (!m.is_live(op.along)) return refused(Refusal::dead_element);
-  if (m.is_boundary(m.origin(op.along)) || m.is_boundary(m.target(op.along))) return refused(Refusal::touches_boundary);
+  if (m.is_boundary(m.origin(op.along)) || m.is_boundary(m.target(op.along)))
+    return refused(EditRefusal::touches_boundary);
   const auto& [kind, step, turn] = op.name;
-  if (!rule(kind).has(step.kind)) return refused(Refusal::no_such_step);
+  if (!rule(kind).has(step.kind)) return refused(EditRefusal::no_such_step);
   if (kind == AtomicKind::lower && (turn < 2 || turn >= m.valence(m.origin(op.along))))
-    return refused(Refusal::wrong_valences);
+    return refused(EditRefusal::wrong_valences);
 
   Resolved r;
   r.sent = turned(m, kind, {op.along, step});
@@ -144,7 +146,7 @@ Resolved resolve(const Editor& editor, const AtomicOperation& op) {
 
   const bool ends_somewhere = r.planned.next_v.valid();  // the far side of a flipped edge may be outside
   for (const VertexId v : {r.planned.next_u, r.planned.next_v}) {
-    if (!ends_somewhere || (v.valid() && m.is_boundary(v))) return refused(Refusal::touches_boundary);
+    if (!ends_somewhere || (v.valid() && m.is_boundary(v))) return refused(EditRefusal::touches_boundary);
   }
   r.refusal = why_not_by_valences(m, op.name, r.sent, r.planned);
   if (r.refusal == Refusal::none) r.refusal = editor.why_not(r.planned.operation);
@@ -254,7 +256,7 @@ class Lister {
       for (const AtomicRule& r : kRules) {
         if (r.valences[0] != 3 || r.valences[1] != 5 || !r.has(step.kind)) continue;
         const AtomicChoice choice = judged({{r.kind, step, 0}, pair});
-        const bool fits = choice.refusal != Refusal::irregular_in_the_way;
+        const bool fits = choice.refusal != EditRefusal::irregular_in_the_way;
         if (r.kind == AtomicKind::move_35 || fits) best = choice;
         if (fits) break;
       }
@@ -264,7 +266,7 @@ class Lister {
 
   AtomicChoice judged(AtomicOperation op) const {
     Refusal refusal = plan(editor_, op).refusal;
-    if (refusal == Refusal::breaks_feature && op.name.step.kind != StepKind::flip) {
+    if (refusal == FeatureRefusal::breaks_feature && op.name.step.kind != StepKind::flip) {
       AtomicOperation other = op;
       other.swapped = true;
       if (plan(editor_, other).refusal == Refusal::none) return {other, Refusal::none};

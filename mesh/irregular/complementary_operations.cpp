@@ -79,12 +79,12 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
     const Route path = route(editor, around, three, five, -1);
     // Splits on the way may make the path longer, but not for ever.
     if (transports_left < 0) transports_left = 3 * path.length + 8;
-    if (!path.first.valid() || transports_left-- == 0) return refuse(Refusal::no_way);
-    if (helpers.empty()) return refuse(Refusal::lone_pair);
+    if (!path.first.valid() || transports_left-- == 0) return refuse(EditRefusal::no_path);
+    if (helpers.empty()) return refuse(EditRefusal::lone_pair);
     adjacent = path.length == 1;
     // The v3 takes the path's first edge, or the v5 its last one.
     TransportReport report;
-    report.refusal = Refusal::no_way;
+    report.refusal = EditRefusal::no_path;
     for (const bool five_walks : {order.five_walks, !order.five_walks}) {
       const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
       if (!edge.valid()) continue;
@@ -117,9 +117,9 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
   if (!sectors.lacks(three) || !sectors.exceeds(five)) {
     const bool same =
         (sectors.lacks(three) && sectors.lacks(five)) || (sectors.exceeds(three) && sectors.exceeds(five));
-    result.refusal = same ? Refusal::index : Refusal::wrong_valences;
+    result.refusal = same ? EditRefusal::index : EditRefusal::wrong_valences;
   } else if (helpers.empty()) {
-    result.refusal = Refusal::lone_pair;
+    result.refusal = EditRefusal::lone_pair;
   } else {
     const std::size_t start = editor.mark();
     for (const CancellationOrder order : kCancellationOrders) {
@@ -171,9 +171,9 @@ std::pair<Refusal, std::vector<PairFrame>> frames_of(const Editor& editor, Verte
   const QuadMesh& m = editor.mesh();
   const auto wrong = [&](VertexId v) { return m.is_boundary(v) || (m.face_valence(v) != 3 && m.face_valence(v) != 5); };
   if (v1 == v2 || wrong(v1) || wrong(v2) || m.face_valence(v1) != m.face_valence(v2))
-    return {Refusal::wrong_valences, {}};
+    return {EditRefusal::wrong_valences, {}};
   std::vector<PairFrame> frames = find_frames(m, v1, v2);
-  const Refusal refusal = frames.empty() ? Refusal::no_rectangle : Refusal::none;
+  const Refusal refusal = frames.empty() ? EditRefusal::no_rectangle : Refusal::none;
   return {refusal, std::move(frames)};
 }
 
@@ -184,7 +184,7 @@ PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2) {
   if (refusal != Refusal::none) return {refusal, 0, {}};
   PairResult result;
   for (const PairFrame& frame : frames) {
-    if (frame.distance() % 2 != 0) return {Refusal::odd_distance, 0, {}};
+    if (frame.distance() % 2 != 0) return {EditRefusal::odd_distance, 0, {}};
     // A segment bends first, so that it can shrink along both legs.
     result = move_repeatedly(editor, frame, [](const PairFrame& f) -> std::optional<Delta> {
       if (f.merged()) return std::nullopt;
@@ -262,16 +262,16 @@ std::vector<Parting> partings(const QuadMesh& m, const Sectors& sectors, VertexI
 Refusal part_vertex(Editor& editor, VertexId v) {
   const QuadMesh& m = editor.mesh();
   const Sectors& sectors = editor.sectors();
-  if (sectors.is_fixed(v) || (m.face_valence(v) != 2 && m.face_valence(v) < 6)) return Refusal::wrong_valences;
+  if (sectors.is_fixed(v) || (m.face_valence(v) != 2 && m.face_valence(v) < 6)) return EditRefusal::wrong_valences;
   std::vector<Parting> ways = partings(m, sectors, v);
   std::stable_sort(ways.begin(), ways.end(), [](const Parting& a, const Parting& b) { return a.gain > b.gain; });
-  Refusal refusal = Refusal::irregular_in_the_way;
+  Refusal refusal = EditRefusal::irregular_in_the_way;
   for (const Parting& way : ways) {
     if (way.gain <= 0) break;
     refusal = Refusal::none;
     for (const VertexId x : changed_vertices(m, way.operation)) {
       if (!x.valid() || sectors.may_change(x)) continue;
-      refusal = m.is_boundary(x) ? Refusal::touches_boundary : Refusal::breaks_feature;
+      refusal = m.is_boundary(x) ? EditRefusal::touches_boundary : FeatureRefusal::breaks_feature;
     }
     if (refusal == Refusal::none) refusal = editor.run(way.operation).refusal;
     if (refusal == Refusal::none) break;

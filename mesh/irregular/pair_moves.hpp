@@ -31,8 +31,9 @@
 #include <array>
 #include <vector>
 
+#include "mesh/editing/operation_log.hpp"
+#include "mesh/irregular/edit_refusal.hpp"
 #include "mesh/irregular/pair_frame.hpp"
-#include "mesh/irregular/transport.hpp"
 
 namespace requad::mesh {
 
@@ -57,27 +58,28 @@ std::vector<PairMove> parting_moves(const QuadMesh& mesh, VertexId merged);
 
 struct MoveReport {
   Refusal refusal = Refusal::none;
-  std::vector<BasicOperation> operations;  // in the order they were applied
-  std::vector<BasicOperation> undo;        // to be applied in this order to restore every array of the mesh
-  std::vector<FaceId> faces_made;          // one for each split; an id may be made and deleted again
-  std::vector<FaceId> faces_deleted;       // one for each collapse
+  std::vector<BasicOperation> operations;  // in the order in which they were applied
+  std::vector<BasicOperation> undo;        // applied in this order, they restore every array of the mesh
   PairMove inverse;                        // inverse.frame is the pair's frame after the move
+
+  int faces_made() const;     // one for each split
+  int faces_deleted() const;  // one for each collapse
 };
 
-// Makes the move, by checked basic operations only. If one is refused, all are undone: the mesh is as before, arrays and
-// free lists included, and the report holds the reason and nothing else.
-MoveReport move_pair(Editor& editor, const PairMove& move);
+// Makes the move, by checked basic operations only. If one is refused, all are taken back: the mesh is as before, arrays
+// and free lists included, and the report holds the reason and nothing else.
+MoveReport move_pair(OperationLog& log, const PairMove& move);
 MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
-// The reason move_pair() would give: makes the move and takes it back, which leaves an equal mesh. O(a + b).
+// The reason that move_pair() would give. Makes the move and takes it back, which leaves an equal mesh. O(d1 + d2).
 Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move);
 
-// Makes one move after another on one mesh, for long walks: the same operations as move_pair(), each of them checked,
-// without a report and without a look at where the grid of the pair lies then. Allocates nothing once it has made its
+// Makes one move after another on one mesh, for long walks. It performs the operations of move_pair(), each of them
+// checked, but writes no report and does not look where R_alpha lies afterwards. It allocates nothing once it has made its
 // longest move, if the mesh has room (QuadMesh::reserve).
 class PairMover {
  public:
   // The mesh must outlive it.
-  explicit PairMover(QuadMesh& mesh) : mesh_(mesh) {}
+  explicit PairMover(QuadMesh& mesh) : log_(mesh) {}
 
   struct Moved {
     Refusal refusal = Refusal::none;  // the mesh is then as before
@@ -88,11 +90,7 @@ class PairMover {
   Moved move(const PairMove& move);
 
  private:
-  QuadMesh& mesh_;
-  std::vector<Applied> log_;  // of the last move
+  OperationLog log_;  // of the last move
 };
-
-// Applies a list of operations, all or none; the reason of the first that was refused.
-Refusal apply_all(QuadMesh& mesh, const std::vector<BasicOperation>& operations);
 
 }  // namespace requad::mesh

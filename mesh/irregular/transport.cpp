@@ -153,7 +153,7 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
       planned = renamed(m, planned);
     }
     if (const Refusal refusal = editor_.why_not(planned.operation); refusal != Refusal::none) {
-      obstacles.features |= refusal == Refusal::breaks_feature;
+      obstacles.features |= refusal == FeatureRefusal::breaks_feature;
       obstacles.boundary |= refusal == Refusal::boundary_corner || refusal == Refusal::boundary_edge;
       continue;
     }
@@ -182,7 +182,7 @@ TransportReport PairTransport::carry(AdjacentPair start, std::span<const VertexI
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
   TransportReport result;
-  result.refusal = Refusal::no_way;
+  result.refusal = EditRefusal::no_path;
   for (const VertexId x : {start.u(m), start.v(m)}) {
     if (!sectors.may_change(x)) (m.is_boundary(x) ? result.obstacles.boundary : result.obstacles.features) = true;
   }

@@ -42,6 +42,7 @@
 #include <vector>
 
 #include "mesh/editing/editor.hpp"
+#include "mesh/irregular/edit_refusal.hpp"
 #include "mesh/topology/distances.hpp"
 
 namespace requad::mesh {

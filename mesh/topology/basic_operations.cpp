@@ -1,35 +1,9 @@
 #include "mesh/topology/basic_operations.hpp"
 
 #include <stdexcept>
+#include <vector>
 
 namespace requad::mesh {
-
-std::string_view explain(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::none: return "legal";
-    case Refusal::dead_element: return "no such element";
-    case Refusal::boundary_edge: return "a boundary edge can not be flipped";
-    case Refusal::valence_too_low: return "a vertex would be left with too few edges";
-    case Refusal::edge_exists: return "two edges would join the same vertices";
-    case Refusal::boundary_corner: return "the vertex to remove lies on the boundary";
-    case Refusal::same_edge: return "both edges of the path are the same";
-    case Refusal::not_one_fan: return "the two edges do not bound a sector of one vertex";
-    case Refusal::touches_boundary: return "a boundary vertex would change its valence";
-    case Refusal::no_such_step: return "the pair has no configuration in this direction";
-    case Refusal::irregular_in_the_way: return "another irregular vertex is in the way";
-    case Refusal::breaks_feature: return "a feature edge would go";
-    case Refusal::moves_feature: return "a vertex on a feature would move";
-    case Refusal::no_way: return "no path leads the 3-5 pair to a vertex that can take it";
-    case Refusal::wrong_valences: return "the vertices do not have the valences that this needs";
-    case Refusal::no_rectangle: return "the separatrices of the two span no rectangle (Lemma 7.8), which this needs";
-    case Refusal::odd_distance:
-      return "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)";
-    case Refusal::lone_pair: return "a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)";
-    case Refusal::lone_vertex: return "a single irregular vertex can not be moved (Theorem 7.1)";
-    case Refusal::index: return "the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)";
-  }
-  return "";
-}
 
 // --- operations as data ----------------------------------------------------------------------------------------------
 
@@ -108,7 +82,20 @@ void take_back(QuadMesh& mesh, const BasicOperation& inverse) {
   const Refusal refusal = apply(mesh, inverse).refusal;
   if (refusal != Refusal::none)
     throw std::logic_error("the inverse of an operation, " + to_string(inverse) +
-                           ", was refused: " + std::string(explain(refusal)));
+                           ", was refused: " + std::string(refusal.clause()));
+}
+
+Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations) {
+  std::vector<BasicOperation> undo;
+  for (const BasicOperation& op : operations) {
+    const Applied done = apply(mesh, op);
+    if (done.refusal != Refusal::none) {
+      for (; !undo.empty(); undo.pop_back()) take_back(mesh, undo.back());
+      return done.refusal;
+    }
+    undo.push_back(done.inverse);
+  }
+  return Refusal::none;
 }
 
 }  // namespace requad::mesh

@@ -20,38 +20,45 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
-#include <string_view>
 
+#include "mesh/topology/refusal.hpp"
 #include "mesh/topology/surgery.hpp"
 
 namespace requad::mesh {
 
-enum class Refusal {
-  none,
-  dead_element,      // a handle does not name a live element
-  boundary_edge,     // a boundary edge can not be flipped
-  valence_too_low,   // an interior vertex would be left with valence 1, a boundary vertex with no face
-  edge_exists,       // the result would have two edges between the same vertices, or an edge from a vertex to itself
-  boundary_corner,   // the vertex to remove lies on the boundary
-  same_edge,         // both edges of the path are one
-  not_one_fan,       // the two half-edges are not in one fan of their vertex in this order
-  touches_boundary,  // a vertex that must keep its valence would change it (pair moves)
-  no_such_step,      // the pair has no configuration in this direction (pair moves)
-  irregular_in_the_way,  // the path of the move meets another irregular vertex or leaves the pattern it needs (pair moves)
-  breaks_feature,        // a feature edge would go (features.hpp)
-  moves_feature,         // a vertex on a feature would move (script.hpp)
-  no_way,                // no path leads the courier to a vertex that can take it (transport.hpp)
-  // What no sequence of operations can do (complementary_operations.hpp):
-  wrong_valences,  // the vertices are not of the valences that this is about
-  no_rectangle,    // the separatrices of the pair span no rectangle, as they do in a convex region (Lemma 7.8)
-  odd_distance,    // a 3-3 or 5-5 pair merges at even distance only (Theorems 7.2, 7.3)
-  lone_pair,       // a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)
-  lone_vertex,     // a single irregular vertex can not be moved (Theorem 7.1)
-  index            // discrete Gauss-Bonnet leaves no room (Equation 1)
+// An operation as data: what scripts are made of.
+struct BasicOperation {
+  enum class Kind { flip_ccw, flip_cw, collapse, split };
+  Kind kind = Kind::flip_ccw;
+  HalfEdgeId h;     // the edge, the face's corner to keep, or the split's first
+  HalfEdgeId last;  // split only
+  int corner = 0;   // split only
+
+  friend bool operator==(const BasicOperation&, const BasicOperation&) = default;
 };
-// One short clause, without full stop.
-std::string_view explain(Refusal refusal);
+// "flip_ccw 12", "flip_cw 12", "collapse 12", "split 12 34 0".
+std::string to_string(const BasicOperation& operation);
+
+// What came of an operation.
+struct Applied {
+  Refusal refusal = Refusal::none;
+  BasicOperation inverse;  // meaningful if refusal is none
+  HalfEdgeId made;         // the flipped edge in face(h), or the split's v -> a; none for a collapse
+};
+
+Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation);
+// The vertices whose valence the operation changes (a split's v, a, b; none in unused places). Precondition: legal.
+std::array<VertexId, 4> changed_vertices(const QuadMesh& mesh, const BasicOperation& operation);
+Applied apply(QuadMesh& mesh, const BasicOperation& operation);
+// Precondition: why_not() says Refusal::none.
+Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
+// Takes the last operation back by its inverse. This is checked: the inverse is legal by the law above, and what breaks
+// that law must not break a mesh. Throws std::logic_error if the inverse is refused.
+void take_back(QuadMesh& mesh, const BasicOperation& inverse);
+// Applies the operations in order, all or none. Returns the refusal of the first that was refused.
+Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations);
 
 enum class Rotation { counter_clockwise, clockwise };
 
@@ -86,43 +93,11 @@ void collapse_unchecked(QuadMesh& mesh, HalfEdgeId h);
 //      b ---- v ---- a      =>    b <- w <- a        (v keeps what is outside the sector)
 //            /|\                   \-> v ->/
 //
+// In the result `made` is v -> a in the new face, whose opposite is w -> b.
 // `corner` (0..3) is the corner of the new face at v, so that an inverse restores ids exactly.
-struct SplitResult {
-  Refusal refusal = Refusal::none;
-  HalfEdgeId made;  // v -> a in the new face; its opposite is w -> b
-};
 Refusal why_not_split(const QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last);
-SplitResult split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
+Applied split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
 HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
-
-// An operation as data: what scripts are made of.
-struct BasicOperation {
-  enum class Kind { flip_ccw, flip_cw, collapse, split };
-  Kind kind = Kind::flip_ccw;
-  HalfEdgeId h;     // the edge, the face's corner to keep, or the split's first
-  HalfEdgeId last;  // split only
-  int corner = 0;   // split only
-
-  friend bool operator==(const BasicOperation&, const BasicOperation&) = default;
-};
-// "flip_ccw 12", "flip_cw 12", "collapse 12", "split 12 34 0".
-std::string to_string(const BasicOperation& operation);
-
-Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation);
-// The vertices whose valence the operation changes (a split's v, a, b; none in unused places). Precondition: legal.
-std::array<VertexId, 4> changed_vertices(const QuadMesh& mesh, const BasicOperation& operation);
-
-struct Applied {
-  Refusal refusal = Refusal::none;
-  BasicOperation inverse;  // meaningful if refusal is none
-  HalfEdgeId made;         // the flipped edge in face(h), or the split's v -> a; none for a collapse
-};
-Applied apply(QuadMesh& mesh, const BasicOperation& operation);
-// Precondition: why_not() says Refusal::none.
-Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
-// Takes the last operation back by its inverse. Checked all the same: by Law O4 it is legal, and what breaks that law must
-// not break a mesh. Throws std::logic_error if it is refused.
-void take_back(QuadMesh& mesh, const BasicOperation& inverse);
 
 // --- the bodies of the above, to be inlined -------------------------------------------------------------------------
 //
@@ -201,10 +176,11 @@ inline HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId l
   return MeshSurgery(mesh).split(first, last, corner);
 }
 
-inline SplitResult split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
+inline Applied split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner) {
   const Refusal refusal = why_not_split(mesh, first, last);
-  if (refusal != Refusal::none) return {refusal, HalfEdgeId()};
-  return {refusal, split_unchecked(mesh, first, last, corner)};
+  if (refusal != Refusal::none) return {refusal, {}, {}};
+  const HalfEdgeId made = split_unchecked(mesh, first, last, corner);
+  return {refusal, {BasicOperation::Kind::collapse, made, {}, 0}, made};
 }
 
 }  // namespace requad::mesh

@@ -90,7 +90,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   const VertexId v = before.origin(op.along);
   const VertexId w = before.target(op.along);
   INFO(to_string(op.name) << " along " << v.index() << " -> " << w.index() << (op.swapped ? ", swapped" : "") << ": "
-                          << explain(choice.refusal));
+                          << choice.refusal.clause());
   QuadMesh m = before;
   Editor editor(m);
   const AtomicReport report = perform(editor, op);
@@ -99,7 +99,8 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
     REQUIRE(m == before);
     REQUIRE(editor.mark() == 0);
     // A step of a pair that is none of its kinds is told of as a move.
-    const bool no_kind = choice.refusal == Refusal::touches_boundary || choice.refusal == Refusal::irregular_in_the_way;
+    const bool no_kind =
+        choice.refusal == EditRefusal::touches_boundary || choice.refusal == EditRefusal::irregular_in_the_way;
     const bool of_pair = rule(op.name.kind).valences[0] == 3 && rule(op.name.kind).valences[1] == 5;
     if (no_kind && of_pair) REQUIRE(op.name.kind == AtomicKind::move_35);
     ++tally.refused[choice.refusal];
@@ -316,9 +317,9 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   WARN(regions << " regions: " << performed << " atomic operations performed and taken back, " << refused
                << " refused");
   CHECK(tally.performed.size() == kStated.size() + 2);
-  CHECK(tally.refused[Refusal::touches_boundary] > 100);
-  CHECK(tally.refused[Refusal::irregular_in_the_way] > 100);
-  CHECK(tally.refused.count(Refusal::no_such_step) == 0);
+  CHECK(tally.refused[EditRefusal::touches_boundary] > 100);
+  CHECK(tally.refused[EditRefusal::irregular_in_the_way] > 100);
+  CHECK(tally.refused.count(EditRefusal::no_such_step) == 0);
 }
 
 TEST_CASE("section 5: a v3 moves in three directions, each by two collapses and two flips", "[atomic]") {
@@ -471,14 +472,14 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
     const HalfEdgeId along = choice.operation.along;
     const bool at_boundary =
         grid.mesh.is_boundary(grid.mesh.target(along)) || grid.mesh.is_boundary(grid.mesh.origin(along));
-    if (at_boundary) CHECK(choice.refusal == Refusal::touches_boundary);
+    if (at_boundary) CHECK(choice.refusal == EditRefusal::touches_boundary);
   }
   const AtomicName flip = *parse_atomic_name("generate-3355 flip left");
   CHECK(plan(on_grid, {flip, HalfEdgeId(1000)}).refusal == Refusal::dead_element);
   CHECK(plan(on_grid, {flip, HalfEdgeId()}).refusal == Refusal::dead_element);
   const HalfEdgeId middle = grid.mesh.find_half_edge(inner, VertexId(6));
   REQUIRE(middle.valid());
-  CHECK(plan(on_grid, {flip, middle}).refusal == Refusal::touches_boundary);
+  CHECK(plan(on_grid, {flip, middle}).refusal == EditRefusal::touches_boundary);
 
   // Not what the name is about.
   Region region = neighbourhood(3);
@@ -487,19 +488,19 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
   Editor editor(m);
   const VertexId v = vertex_of(m, 3);
   const HalfEdgeId along = m.out(v);
-  CHECK(plan(editor, {*parse_atomic_name("move-v5 flip left"), along}).refusal == Refusal::wrong_valences);
-  CHECK(plan(editor, {*parse_atomic_name("generate-3355 flip left"), along}).refusal == Refusal::wrong_valences);
-  CHECK(plan(editor, {*parse_atomic_name("lower split left 3"), along}).refusal == Refusal::wrong_valences);
+  CHECK(plan(editor, {*parse_atomic_name("move-v5 flip left"), along}).refusal == EditRefusal::wrong_valences);
+  CHECK(plan(editor, {*parse_atomic_name("generate-3355 flip left"), along}).refusal == EditRefusal::wrong_valences);
+  CHECK(plan(editor, {*parse_atomic_name("lower split left 3"), along}).refusal == EditRefusal::wrong_valences);
   CHECK(plan(editor, {*parse_atomic_name("lower split left 2"), along}).refusal == Refusal::none);
   CHECK(plan(editor, {{AtomicKind::move_v3, {StepKind::split, Hand::left}, 0}, along}).refusal ==
-        Refusal::no_such_step);
+        EditRefusal::no_such_step);
   // With a v3 at the far corner of a face, a v3 can not become a v5 there.
   REQUIRE(perform(editor, {*parse_atomic_name("move-v3 flip left"), along}).refusal == Refusal::none);
   const HalfEdgeId back = m.find_half_edge(before.target(along), v);
   REQUIRE(back.valid());
   bool in_the_way = false;
   for (const AtomicChoice& choice : atomic_operations(editor, m.origin(back)))
-    in_the_way = in_the_way || choice.refusal == Refusal::irregular_in_the_way;
+    in_the_way = in_the_way || choice.refusal == EditRefusal::irregular_in_the_way;
   CHECK(in_the_way);
   editor.roll_back();
   CHECK(m == before);
@@ -519,12 +520,12 @@ TEST_CASE("atomic operations keep features, or say that they can not", "[atomic]
   // The flip on the left turns the edge w - c; on the right it does not.
   FeatureSet opposite;
   opposite.insert(w, c);
-  CHECK(refusal_of(opposite, "move-v3 flip left") == Refusal::breaks_feature);
+  CHECK(refusal_of(opposite, "move-v3 flip left") == FeatureRefusal::breaks_feature);
   CHECK(refusal_of(opposite, "move-v3 flip right") == Refusal::none);
   // A collapse removes v, or c if v is on a feature, or neither if both are.
   FeatureSet own;
   own.insert(v, w);
-  CHECK(refusal_of(own, "move-v3 collapse left") == Refusal::breaks_feature);
+  CHECK(refusal_of(own, "move-v3 collapse left") == FeatureRefusal::breaks_feature);
   FeatureSet both = own;
   both.insert(w, c);
   for (const FeatureSet& features : {own, both}) {
@@ -535,7 +536,7 @@ TEST_CASE("atomic operations keep features, or say that they can not", "[atomic]
       if (to_string(choice.operation.name) != "move-v3 collapse left") continue;
       ++collapses;
       CHECK(choice.operation.swapped == (features.size() == 1));
-      REQUIRE(choice.refusal == (features.size() == 1 ? Refusal::none : Refusal::breaks_feature));
+      REQUIRE(choice.refusal == (features.size() == 1 ? Refusal::none : FeatureRefusal::breaks_feature));
       const AtomicReport report = perform(editor, choice.operation);
       CHECK(copy.adjacent(v, w));
       if (report.refusal != Refusal::none) continue;

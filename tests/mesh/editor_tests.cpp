@@ -46,7 +46,7 @@ TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll 
       const QuadMesh kept = m;
       const Refusal refusal = editor.run(op).refusal;
       if (refusal != Refusal::none) REQUIRE(m == kept);
-      if (refusal == Refusal::breaks_feature) {
+      if (refusal == FeatureRefusal::breaks_feature) {
         ++refused_for_features;
         // Law F says no more than needed: the operation does break the feature.
         QuadMesh broken = m;
@@ -175,8 +175,8 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
       if (m.valence(v) == 5) five = v;
       if (m.valence(v) == 3) threes.push_back(v);
     }
-    CHECK(cancel_pair(editor, transport, threes[0], five, {}).refusal == Refusal::lone_pair);
-    CHECK(cancel_pair(editor, transport, five, threes[0], {threes[1]}).refusal == Refusal::wrong_valences);
+    CHECK(cancel_pair(editor, transport, threes[0], five, {}).refusal == EditRefusal::lone_pair);
+    CHECK(cancel_pair(editor, transport, five, threes[0], {threes[1]}).refusal == EditRefusal::wrong_valences);
     CHECK(m == region.mesh);
     const Cancellation done = cancel_pair(editor, transport, threes[0], five, {threes[1]});
     REQUIRE(done.refusal == Refusal::none);
@@ -210,11 +210,11 @@ TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
         CHECK(part_vertex(editor, irregular_of(m)[0]) == Refusal::none);
         CHECK(irregular_valences(m) == std::map<int, int>{{merged == 2 ? 3 : 5, 2}});
       } else {
-        CHECK(result.refusal == Refusal::odd_distance);
+        CHECK(result.refusal == EditRefusal::odd_distance);
       }
       editor.roll_back();
       CHECK(m == region.mesh);
-      CHECK(merge_pair(editor, pair[0], pair[0]).refusal == Refusal::wrong_valences);
+      CHECK(merge_pair(editor, pair[0], pair[0]).refusal == EditRefusal::wrong_valences);
     }
   }
 }
@@ -231,7 +231,7 @@ TEST_CASE("Any valence is parted into v3s and v5s", "[complementary]") {
     for (const auto& [l, count] : after) CHECK((l == 3 || l == 5));
     CHECK(total_index(m) == 4 - valence);
     CHECK(validate(m).empty());
-    CHECK(part_vertex(editor, irregular_vertices(m)[0]) == Refusal::wrong_valences);
+    CHECK(part_vertex(editor, irregular_vertices(m)[0]) == EditRefusal::wrong_valences);
     editor.roll_back();
     CHECK(m == region.mesh);
   }

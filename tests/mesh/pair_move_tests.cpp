@@ -54,7 +54,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
         REQUIRE(after.mesh == before);
         REQUIRE(report.operations.empty());
         // In a region nothing but the boundary is in the way.
-        REQUIRE((report.refusal == Refusal::touches_boundary || report.refusal == Refusal::boundary_corner));
+        REQUIRE((report.refusal == EditRefusal::touches_boundary || report.refusal == Refusal::boundary_corner));
         ++refused_here;
         continue;
       }
@@ -77,8 +77,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
         REQUIRE(irregular_vertices(step).size() <= 4);
       }
       REQUIRE(step == after.mesh);
-      REQUIRE(static_cast<int>(report.faces_made.size()) - static_cast<int>(report.faces_deleted.size()) ==
-              after.mesh.face_count() - before.face_count());
+      REQUIRE(report.faces_made() - report.faces_deleted() == after.mesh.face_count() - before.face_count());
 
       // Undo restores the arrays; the inverse move leads back, also after renaming everything.
       QuadMesh undone = after.mesh;

@@ -455,7 +455,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
     if (edge) again.features.insert(a, VertexId(7));
     const Replay result = replay(again.editor, script);
     // The flip leaves a's other edges; that b is on a feature keeps it where it is.
-    CHECK(result.refusal == (edge ? Refusal::none : Refusal::moves_feature));
+    CHECK(result.refusal == (edge ? Refusal::none : FeatureRefusal::moves_feature));
     CHECK(result.line == (edge ? 0 : 4));
     CHECK((again.m == surface.mesh) == !edge);
     CHECK(same_positions(surface.mesh, again.positions, surface.positions) == !edge);
@@ -466,7 +466,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
   Workshop again(surface);
   again.features.insert(a, b);
   const Replay result = replay(again.editor, parse_script(to_string(flip_only.record()), "script"));
-  CHECK(result.refusal == Refusal::breaks_feature);
+  CHECK(result.refusal == FeatureRefusal::breaks_feature);
   CHECK(result.line == 3);
   CHECK(again.m == surface.mesh);
 
