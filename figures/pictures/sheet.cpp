@@ -22,7 +22,7 @@ Paint paint(const Sheet& sheet) {
 
 void require_performed(mesh::Refusal refusal) {
   if (refusal != mesh::Refusal::none) {
-    throw std::logic_error("a figure's operation was refused: " + std::string(explain(refusal)));
+    throw std::logic_error("a figure's operation was refused: " + std::string(refusal.clause()));
   }
 }
 
