@@ -158,9 +158,9 @@ struct RequadSubject {
  private:
   void rotate(Site h, mesh::Rotation direction) {
     if constexpr (kChecked) {
-      refused |= mesh::flip(mesh, h, rotation) != mesh::Refusal::none;
+      refused |= mesh::flip(mesh, h, direction) != mesh::Refusal::none;
     } else {
-      mesh::flip_unchecked(mesh, h, rotation);
+      mesh::flip_unchecked(mesh, h, direction);
     }
   }
 };
