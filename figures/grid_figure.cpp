@@ -18,8 +18,8 @@ using enumerate::FoundMove;
 using theory::Configuration;
 using theory::PairType;
 
-using Place = std::array<double, 2>;
-using PlaceOf = std::function<Place(const Configuration&)>;
+using Position = std::array<double, 2>;
+using PositionOf = std::function<Position(const Configuration&)>;
 
 theory::GridPoint grid_point_of(PairType type, const Configuration& labelling) {
   return theory::grid_point(type, type.symmetric() ? labelling : theory::canonical(type, labelling));
@@ -43,10 +43,10 @@ GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
   return edge;
 }
 
-// Adds a found grid to a figure. `place` puts a labelling somewhere; two labellings of one configuration that get two
-// places make a node and its copy. Edges join the labellings that a move goes between.
+// Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at two
+// positions become a node and its copy. An edge joins the labellings before and after a move.
 void add_grid(GridFigure& figure, const Exploration& found, const theory::IntegerVector& sides,
-              const std::string& prefix, const PlaceOf& place) {
+              const std::string& prefix, const PositionOf& position) {
   const int grid = static_cast<int>(figure.grids.size());
   const Configuration& any = found.nodes.at(0).reading.configuration;
   const Parity parity = !found.type.symmetric()          ? Parity::none
@@ -54,14 +54,14 @@ void add_grid(GridFigure& figure, const Exploration& found, const theory::Intege
                                                          : Parity::odd;
   figure.grids.push_back({found.type, sides, parity});
   std::map<std::pair<long, long>, int> node_at;
-  const auto key = [](Place at) { return std::pair{std::lround(at[0] * 1024), std::lround(at[1] * 1024)}; };
+  const auto key = [](Position at) { return std::pair{std::lround(at[0] * 1024), std::lround(at[1] * 1024)}; };
   const auto add_node = [&](const Configuration& labelling, std::size_t found_node, int same_as) {
-    const auto [it, is_new] = node_at.emplace(key(place(labelling)), static_cast<int>(figure.nodes.size()));
+    const auto [it, is_new] = node_at.emplace(key(position(labelling)), static_cast<int>(figure.nodes.size()));
     if (is_new) {
       const auto& node = found.nodes[found_node];
       figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(found.type, labelling),
-                              place(labelling), grid, same_as, labelling, node.region, node.reading.frames.at(0).frame,
-                              node.signature});
+                              position(labelling), grid, same_as, labelling, node.region,
+                              node.reading.frames.at(0).frame, node.signature});
     }
     return it->second;
   };
@@ -71,23 +71,23 @@ void add_grid(GridFigure& figure, const Exploration& found, const theory::Intege
     if (found.type.symmetric() && c.degenerate() && !c.merged())
       add_node(theory::other_labelling(found.type, c), i, node);
   }
-  // A move and its inverse join the same two places: keep the first met. Where places are shared by labellings, two
-  // edges may join the same two nodes, or one with itself; as many moves as their number say so, each met twice.
+  // A move and its inverse join the same two positions, so every edge is met twice. Two edges may join the same two nodes,
+  // or one node with itself, where labellings share a position.
   std::map<std::pair<int, int>, int> drawn;
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
-    const auto from = node_at.find(key(place(move.before.value())));
-    const auto to = node_at.find(key(place(move.after.value())));
+    const auto from = node_at.find(key(position(move.before.value())));
+    const auto to = node_at.find(key(position(move.after.value())));
     if (from == node_at.end() || to == node_at.end()) throw std::logic_error("a move leaves the grid");
     const std::pair<int, int> ends = std::minmax(from->second, to->second);
-    // Of the moves between two nodes, those from the lesser one are the edges; of a self-loop's two, the first is.
+    // The moves from the lesser of two nodes are the edges. Of the two moves of a self-loop the first one is.
     const int met = ++drawn[ends];
     if (from->second == to->second ? met % 2 == 0 : from->second != ends.first) continue;
     figure.edges.push_back(edge_of(found.type, from->second, to->second, move));
   }
 }
 
-// The regular region of side `length` and the next smaller one, if it holds a pair.
+// The side of a regular region and the next smaller one, if that region holds a pair.
 std::vector<int> two_lengths(int length) {
   if (length < 3) {
     throw std::invalid_argument("a regular region of side " + std::to_string(length) +
@@ -102,20 +102,20 @@ std::string sides_text(int length) {
   return text;
 }
 
-void add_regular(GridFigure& figure, PairType type, int length, const PlaceOf& place) {
+void add_regular(GridFigure& figure, PairType type, int length, const PositionOf& position) {
   const auto sides = theory::IntegerVector::Constant(type.side_count(), length);
   add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::with), sides, "L" + std::to_string(length) + "_",
-           place);
+           position);
 }
 
-// The axis of (x,0,p) is that of (0,x,p+1): axes p of 1, 2, ... a fixed angle apart, quadrant p between axes p and p -
-// 1, p increasing clockwise.
-Place on_axes(const Configuration& c, double first, double apart, double x, double y) {
+// Axes a fixed angle apart, numbered clockwise. Quadrant p lies between the axes p and p - 1, so (x,0,p) and (0,x,p+1) lie
+// on the same axis.
+Position on_axes(const Configuration& c, double first, double apart, double x, double y) {
   const double u = first - apart * (c.p - 1), v = u + apart;
   const auto m = static_cast<double>(c.d1()), n = static_cast<double>(c.d2());
   return {x + m * std::cos(u) + n * std::cos(v), y + m * std::sin(u) + n * std::sin(v)};
 }
-Place on_half_cube(const Configuration& c, double shift) {
+Position on_half_cube(const Configuration& c, double shift) {
   return on_axes(c, std::numbers::pi / 2, std::numbers::pi * 2 / 3, shift, 0);
 }
 
@@ -124,7 +124,7 @@ Place on_half_cube(const Configuration& c, double shift) {
 GridFigure figure_10(int length) {
   GridFigure figure{"Configurations of a 3-3 pair in regular digons of side " + sides_text(length), {}, {}, {}};
   for (const int l : two_lengths(length)) {
-    add_regular(figure, theory::kDigon, l, [](const Configuration& c) -> Place {
+    add_regular(figure, theory::kDigon, l, [](const Configuration& c) -> Position {
       return {static_cast<double>(c.d1() - c.d2()), static_cast<double>(c.d1() + c.d2())};
     });
   }
@@ -152,7 +152,7 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   const theory::IntegerVector sides = theory::region_sides(type, first);
   GridFigure figure{"Configurations of a 3-5 pair in a region with sides " + theory::joined(sides, " "), {}, {}, {}};
   add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::without), sides, "n",
-           [type](const Configuration& c) -> Place {
+           [type](const Configuration& c) -> Position {
              const theory::GridPoint at = grid_point_of(type, c);
              return {static_cast<double>(at.m), static_cast<double>(at.n)};
            });
@@ -186,11 +186,11 @@ GridFigure dual_figure(PairType type, int length) {
       "Two grids that are dual: a " + type.name() + " pair in regions of side " + sides_text(length), {}, {}, {}};
   const int quadrants = type.rotation_count();
   for (const int l : two_lengths(length)) {
-    add_regular(figure, type, l, [quadrants](const Configuration& c) -> Place {
+    add_regular(figure, type, l, [quadrants](const Configuration& c) -> Position {
       if (c.merged()) return {0, 0};
       const double level = static_cast<double>(c.d1() + c.d2());
-      const double turn = (c.p - static_cast<double>(c.d2()) / level) / quadrants;
-      return {level * std::sin(2 * std::numbers::pi * turn), level * std::cos(2 * std::numbers::pi * turn)};
+      const double part = (c.p - static_cast<double>(c.d2()) / level) / quadrants;
+      return {level * std::sin(2 * std::numbers::pi * part), level * std::cos(2 * std::numbers::pi * part)};
     });
   }
   return figure;

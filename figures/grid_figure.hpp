@@ -1,4 +1,4 @@
-// Configuration graphs as figures: configurations found by moves, at the places that a picture gives them.
+// Configuration graphs as figures: the configurations found by moves, at their positions in a picture.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ struct GridNode {
   std::string label;                    // "(m,n)" or "(m,n,p)"
   std::array<double, 2> at;             // in grid units, y upwards
   int grid = 0;                         // which of the figure's grids
-  int same_as = -1;                     // the node of which this is a second copy, or -1
-  theory::Configuration configuration;  // the labelling that is drawn here; a copy's is another one than its original's
+  int same_as = -1;                     // for a copy the node of its original, otherwise -1
+  theory::Configuration configuration;  // the labelling drawn here; a copy has another one than its original
   mesh::Region region;
   mesh::PairFrame frame;  // of the pair; of the merged vertex, with a = b = 0
   std::string signature;
@@ -30,8 +30,8 @@ struct GridEdge {
   int from = -1;
   int to = -1;
   std::string step;              // the pair move from `from` to `to`, as mesh::name() says
-  std::string direction;         // what it adds to the label: "(+1,-1)"
-  theory::Configuration before;  // the labellings that the step goes between
+  std::string direction;         // what the step adds to the label: "(+1,-1)"
+  theory::Configuration before;  // the labellings before and after the step
   theory::Configuration after;
   int splits = 0;  // basic operations of that move; a split makes a face, a collapse deletes one
   int collapses = 0;
@@ -41,7 +41,7 @@ struct GridEdge {
   int faces() const { return splits - collapses; }  // made minus deleted
 };
 
-// Of d1 + d2, which moves of a 3-3 or 5-5 pair keep; of no interest for a 3-5 pair.
+// The parity of d1 + d2, which the moves of a 3-3 or 5-5 pair keep. A 3-5 pair has none.
 enum class Parity { even, odd, none };
 
 // One grid of a figure: all configurations of a pair in one region.
@@ -62,21 +62,21 @@ struct GridFigure {
   std::vector<GridEdge> edges;
 };
 
-// Figure 10: the grids of the regular digons of side L and L - 1 on one rotated grid, (m,n) at (m - n, m + n). (x,0)
-// and (0,x) are one configuration: the second is drawn too, as a copy that names the first.
+// Figure 10: the grids of the regular digons of side L and L - 1 on one rotated grid, with (m,n) at (m - n, m + n).
+// (x,0) and (0,x) are one configuration; the second is drawn as a copy that names the first.
 GridFigure figure_10(int length);
 // Figure 11: the grids of the regular hexagons of side L and L - 1 as half cubes in projection, side by side.
 GridFigure figure_11(int length);
-// Figure 12: the grid of a region with a 3-5 pair, d1 x d2 = R_alpha, M x N configurations, (m,n) at (m,n).
+// Figure 12: the grid of the M x N configurations of a region whose 3-5 pair spans d1 x d2 quads, with (m,n) at (m,n).
 GridFigure figure_12(int d1, int d2, int m, int n);
 
-// The half cube of any hexagon, its grid alone.
+// The grid of any hexagon, as a part of a half cube.
 GridFigure hexagon_figure(const std::vector<theory::Integer>& sides);
-// The regular hexagon's half cube cut open along one edge and laid flat: three quadrants, the cut drawn twice.
+// The half cube of the regular hexagon, cut open along one edge and laid flat: three quadrants, with the cut drawn twice.
 GridFigure unfolded_figure(int length);
-// The grids of side L and L - 1 over each other, each of their cones opened to a disk: level s = m + n is the circle of
-// radius s. Each edge of one grid crosses one of the other, its dual.
+// The grids of side L and L - 1 on top of each other, with each cone opened to a disk: level s = m + n is the circle of
+// radius s. Each edge of one grid crosses an edge of the other, its dual.
 GridFigure dual_figure(theory::PairType type, int length);
-// All throw std::invalid_argument where there is no such region.
+// All of them throw std::invalid_argument if there is no such region.
 
 }  // namespace requad::figures

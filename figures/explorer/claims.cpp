@@ -1,4 +1,4 @@
-// What theory/ predicts for a region beside what moves found there.
+// The predictions of theory/ for a region, compared with what moves found there.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -43,7 +43,7 @@ std::vector<Configuration> pairs_of(const Exploration& found) {
   return result;
 }
 
-// Theorems 7.2, 7.3 and 7.4: how many, and which.
+// Theorems 7.2, 7.3 and 7.4: the number of configurations.
 RegionClaim count_claim(const Exploration& found, const IntegerVector& sides) {
   const PairType type = found.type;
   const std::vector<Configuration> pairs = pairs_of(found);
@@ -168,7 +168,8 @@ RegionClaim distance_claim(const Exploration& found) {
           holds};
 }
 
-// P3: quads made less quads deleted, by the formula of section 6, and that a mesh has as many quads as the strips say.
+// P3: the quads made minus the quads deleted follow the formula of section 6, and a mesh has as many quads as its strips
+// say.
 RegionClaim faces_claim(const Exploration& found) {
   const theory::PairSystem system(found.type);
   const auto quads = [&system](const Configuration& c) { return system.face_count(c.parameters); };
@@ -208,7 +209,7 @@ RegionClaim inverse_claim(const Exploration& found) {
           moves == as_claimed};
 }
 
-// N2: one parity of d1 + d2, and a merged vertex where it is even and there is room.
+// N2: d1 + d2 has one parity, and there is a merged vertex where it is even and there is room.
 RegionClaim parity_claim(const Exploration& found, const IntegerVector& sides) {
   const bool even = theory::smallest_regular(found.type, sides) % 2 == 0;
   const std::size_t merged = theory::merged_configurations(found.type, sides).size();

@@ -34,8 +34,8 @@ using theory::PairType;
 
 using Spot = std::array<Integer, 3>;
 
-// Figure 10's rotated grid; Figure 11's half cube, whose quadrant p lies between axis p and axis p - 1; Figure 12's
-// grid.
+// The spot of a labelling, in the rotated grid of Figure 10, in the half cube of Figure 11, where quadrant p lies between
+// the axes p and p - 1, or in the grid of Figure 12.
 Spot spot_of(PairType type, const Configuration& labelling) {
   if (!type.symmetric()) {
     const theory::GridPoint at = theory::grid_point(type, theory::canonical(type, labelling));
@@ -66,7 +66,7 @@ std::vector<Spot> spots_of(PairType type, const Configuration& c) {
   return spots;
 }
 
-// Which of the spots of a configuration a labelling has.
+// The index of a labelling's spot among the spots of its configuration.
 int spot_index(PairType type, const Configuration& c, const Configuration& labelling) {
   const std::vector<Spot> spots = spots_of(type, c);
   const auto it = c.merged() ? spots.begin() : std::find(spots.begin(), spots.end(), spot_of(type, labelling));
@@ -96,7 +96,7 @@ GridStep change_of(PairType type, const FoundMove& move) {
   return {to.m - from.m, to.n - from.n};
 }
 
-// The label of the labelling in which a move is seen; of a 3-5 pair the grid has one.
+// The label of the labelling before or after a move. The grid of a 3-5 pair has one label for each configuration.
 std::string name_of(PairType type, const Configuration& labelling) {
   return theory::label(type, type.symmetric() ? labelling : theory::canonical(type, labelling));
 }
@@ -117,17 +117,17 @@ const char* key_of(PairType type, const Exploration& found, const FoundMove& mov
 
 // --- arrows ----------------------------------------------------------------------------------------------------------
 
-// Where a step takes the first vertex of a frame: the next vertex along a separatrix, or the far corner of a face that
-// lies between two of them. See the table of pair_moves.hpp.
+// The vertex to which a step takes the first vertex of a frame: the next one along a separatrix, or the far corner of a
+// face that lies between two separatrices. See the table of pair_moves.hpp.
 VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool other_is_alike) {
   const auto along = [&m](HalfEdgeId h) { return m.target(h); };
-  // Between h and the next edge counter-clockwise.
+  // The far corner of the face between h and the next edge counter-clockwise.
   const auto between = [&m](HalfEdgeId h) { return m.target(QuadMesh::next(h)); };
   const std::vector<HalfEdgeId> out = mesh::outward(m, f);
   if (m.valence(f.v1) == 3) {
     switch (step) {
-      // A segment of two v3s turns: they approach each other, each on the side away from the R_alpha that opens. Beside
-      // a v5 the v3 moves away from its third edge.
+      // Two v3s on a segment approach each other, each on the side away from the R_alpha that opens. Beside a v5 the v3
+      // moves away from its third edge.
       case PairStep::slide_first: return f.degenerate() ? between(out[0]) : along(f.first_leg);
       case PairStep::slide_second:
         return f.degenerate() && other_is_alike ? between(f.second_leg) : along(f.second_leg);
@@ -148,7 +148,7 @@ ordered_json arrows(const QuadMesh& m, const mesh::PairMove& move) {
   const PairFrame& f = move.frame;
   const auto arrow = [](VertexId v, VertexId w) { return ordered_json{v.index(), w.index()}; };
   if (f.v1 == f.v2) {
-    // A v2 parts along its two edges, a v6 along one and the edge opposite.
+    // A v2 parts along its two edges, a v6 along an edge and the opposite one.
     HalfEdgeId opposite = f.first_leg;
     for (int i = 0; i < m.valence(f.v1) / 2; ++i) opposite = m.ccw(opposite);
     return {arrow(f.v1, m.target(f.first_leg)), arrow(f.v1, m.target(opposite))};
@@ -173,7 +173,7 @@ ordered_json faces_json(const QuadMesh& m) {
   return json;
 }
 
-// The faces that differ: [id, a, b, c, d], or [id] for one that is gone.
+// The faces that differ: [id, a, b, c, d], or [id] for a deleted face.
 ordered_json patch(const QuadMesh& before, const QuadMesh& after) {
   ordered_json json = ordered_json::array();
   for (int i = 0; i < after.face_capacity(); ++i) {
@@ -234,7 +234,7 @@ ordered_json ids(const std::vector<VertexId>& vertices) {
   return json;
 }
 
-// The vertices round R_alpha from v1, counter-clockwise; of a segment those along it.
+// The vertices round R_alpha, counter-clockwise from v1. For a segment the vertices along it.
 std::vector<VertexId> vertices_round(const QuadMesh& m, const PairFrame& f) {
   std::vector<VertexId> vertices{f.v1};
   for (const HalfEdgeId h : f.degenerate() ? mesh::path_between(m, f) : mesh::rim(m, f))
@@ -243,7 +243,7 @@ std::vector<VertexId> vertices_round(const QuadMesh& m, const PairFrame& f) {
   return vertices;
 }
 
-// The outward separatrices, from that which meets side 1 of the region on.
+// The outward separatrices, by the side of the region that they meet.
 ordered_json outward_json(PairType type, const FoundNode& node) {
   const QuadMesh& m = node.region.mesh;
   const PairFrame& f = node.reading.frames.front().frame;
@@ -272,7 +272,7 @@ ordered_json node_json(PairType type, const FoundNode& node) {
                     {"quads", m.face_count()},
                     {"signature", node.signature},
                     {"spots", spots_of(type, c)}};
-  // The larger side of the bounding box is 2000 long, and whole numbers are all that can be seen.
+  // The larger side of the bounding box is 2000 long. Whole numbers are precise enough for the screen.
   const auto position = mesh::draw(node.region);
   double reach = 0;
   for (const auto& p : position) reach = std::max(reach, p.cwiseAbs().maxCoeff());

@@ -1,31 +1,31 @@
-// The explorer: one HTML file in which a region's configurations, their meshes and their moves can be walked through.
+// The explorer: one HTML file in which a reader walks through a region's configurations, their meshes and their moves.
 //
-// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake);
-// its data are the meshes that an exploration by pair moves found, and the very operations by which the moves were
-// made. The page applies these operations to the mesh that it shows, and then checks that the result is isomorphic rel
-// boundary to the mesh that was found: what it plays is what happened.
+// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake). Its
+// data are the meshes that an exploration by pair moves found, and the operations by which the moves were made. The page
+// applies these operations to the mesh that it shows, and then checks that the result is isomorphic, relative to the
+// boundary, to the mesh that was found.
 //
 // Terms
-//   spot       a place of a configuration in the drawing of the graph: one, or two in a digon, whose (x,0) and (0,x)
-//              are one configuration and lie at both ends of a level (Figure 10).
-//   key        the arrow key that makes a move. For equal valences up is (+1,+1), down (-1,-1), left (-1,+1), right
-//              (+1,-1), as the grid of Figure 10 lies; a segment has two moves (+1,+1), of which that of its second
-//              labelling takes the key down, which has no other use there. For a 3-5 pair they are the steps of (m,n).
-//              A v6 parts to the left, to the right and down.
+//   spot       the position of a configuration in the drawing of the graph. A configuration has one spot, or two in a
+//              digon, where (x,0) and (0,x) are one configuration and lie at both ends of a level (Figure 10).
+//   key        the arrow key that makes a move. For equal valences up is (+1,+1), down (-1,-1), left (-1,+1) and right
+//              (+1,-1), as the grid of Figure 10 lies. A segment has two moves (+1,+1); the one of its second labelling
+//              takes the key down, which a segment does not need otherwise. For a 3-5 pair the keys are the steps of
+//              (m,n). A v6 parts to the left, to the right and down.
 //   patch      what a basic operation does to the list of faces: the new corners of each face that it makes or changes,
 //              and the ids of those that it deletes.
 //
-// The JSON of explorer_data(), ids being those of the mesh:
+// The JSON of explorer_data(), with the ids of the mesh:
 //   pair, sides, regular, grid ("flat" or "cube")
-//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]; the mesh:
-//           vertices [[x,y]...] and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1
-//           starts; irregular; alpha (the faces of R_alpha) and rim (the vertices round it); outward, the paths of the
-//           outward separatrices by side, whose lengths are the strip counts e_i
-//   moves   from, to, spots and names (at either end), key, change, step, made, deleted; the arrows [[v,w],[v,w]] of
-//           Figure 9, from each irregular vertex towards vertex w; operations {kind, patch, and the vertices that say
-//           what it did}
+//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]. The mesh: vertices
+//           [[x,y]...] and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1 starts;
+//           irregular; alpha, the faces of R_alpha; rim, the vertices round it; outward, the paths of the outward
+//           separatrices by side, whose lengths are the strip counts e_i
+//   moves   from, to, spots and names (at either end), key, change, step, made, deleted; arrows [[v,w],[v,w]] as in
+//           Figure 9, from each irregular vertex towards vertex w; operations {kind, patch, and the vertices that
+//           describe it}
 //   claims  id, where, statement, predicted, found, holds
-// Same region, same bytes.
+// The same region gives the same bytes.
 #pragma once
 
 #include <string>
@@ -37,13 +37,13 @@
 
 namespace requad::figures {
 
-// What keeps the page small and quick: it grows with the configurations and with the quads of all their meshes.
+// Bounds that keep the page small and quick. It grows with the configurations and with the quads of all their meshes.
 inline constexpr theory::Integer kMostConfigurations = 150;
 inline constexpr theory::Integer kMostQuads = 30'000;
 inline constexpr theory::Integer kLongestSide = 60;
 
-// One line that says why there is no explorer for this region, or "": impossible sides, no configuration that holds the
-// pair, or more of it than the bounds above.
+// One line that says why there is no explorer for this region, or "". The reasons are impossible sides, no configuration
+// that holds the pair, or more than the bounds above.
 std::string explorer_problem(theory::PairType type, const theory::IntegerVector& sides);
 
 // A claim of the paper, judged for one region by comparing what theory/ predicts with what moves found.
@@ -55,10 +55,11 @@ struct RegionClaim {
   std::string found;
   bool holds = false;
 };
-// `found` comes from explore_all() with the merged configuration. O(moves + nodes * mesh).
+// The claims about the region, in the order of the page. Precondition: `found` comes from explore_all() with the merged
+// configuration. O(moves + nodes * mesh).
 std::vector<RegionClaim> region_claims(const enumerate::Exploration& found, const theory::IntegerVector& sides);
 
-// Precondition: explorer_problem() is "". `found` as above.
+// The data of the page. Preconditions: explorer_problem() is "", and `found` is as above.
 nlohmann::ordered_json explorer_data(const enumerate::Exploration& found, const theory::IntegerVector& sides);
 
 // The page with these data.

@@ -5,14 +5,14 @@ namespace requad::figures {
 
 namespace {
 
-// Puts text in the place of a mark that occurs once.
+// Replaces a mark, which occurs once, by a text.
 void fill(std::string& page, const std::string& mark, const std::string& text) {
   const std::size_t at = page.find(mark);
   if (at == std::string::npos) throw std::logic_error("the explorer's page has no place " + mark);
   page.replace(at, mark.size(), text);
 }
 
-// JSON inside an HTML script element: no "</script" and no "<!--" may occur.
+// The JSON for an HTML script element, where neither "</script" nor "<!--" may occur.
 std::string embedded(const nlohmann::ordered_json& data) {
   std::string text = data.dump();
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))

@@ -1,4 +1,4 @@
-// All figures: what each shows, and how it is made.
+// The list of all figures: what each shows, and how it is made.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace requad::figures {
 
 using namespace pictures;
 
-// What may be chosen; the defaults are the gallery's.
+// What a user may choose. The defaults are those of the gallery.
 struct Choices {
   std::optional<int> side;                               // of regular regions
   std::array<int, 4> pair_region{2, 1, 4, 3};            // d1, d2, M, N of figure 12
@@ -22,7 +22,7 @@ struct Choices {
 
 struct Picture {
   Paint paint;
-  std::optional<GridFigure> grid;  // what DOT and GraphML are written from
+  std::optional<GridFigure> grid;  // for DOT and GraphML
 };
 
 struct CatalogueEntry {
@@ -31,14 +31,14 @@ struct CatalogueEntry {
   const char* title;
   const char* caption;  // Markdown, one paragraph
   bool is_grid;
-  std::function<Picture(const Choices&)> make;  // throws std::invalid_argument where there is no such region
+  std::function<Picture(const Choices&)> make;  // throws std::invalid_argument if there is no such region
 
-  // Of its files, without the ending: "figure-2", "dual-10".
+  // The name of its files without the extension: "figure-2", "dual-10".
   std::string file() const;
 };
 const std::vector<CatalogueEntry>& catalogue();
 
-// The gallery as a page in Markdown, with the SVG of each entry and the command that makes it.
+// The gallery as a page in Markdown: the SVG of each entry, its caption and the command that makes it.
 std::string gallery_page();
 
 }  // namespace requad::figures
