@@ -114,7 +114,7 @@ void Session::smooth_since(std::size_t mark) {
   if (how.iterations == 0) return;
   how.project_to = &surface();
   const mesh::AffectedRegion affected = mesh::affected_region_since(editor_, distances_, mark, kRings);
-  mesh::smooth_edit(editor_, affected.near, how);
+  editor_.smooth(affected.near, how);
 }
 
 int Session::done(ordered_json summary, const std::string& text) {

@@ -27,9 +27,4 @@ AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances
   return result;
 }
 
-void smooth_edit(Editor& editor, std::span<const VertexId> vertices, SmoothingOptions how) {
-  how.fixed = [&editor](VertexId v) { return editor.sectors().is_feature(v); };
-  editor.rearrange(vertices, [&](Positions& positions) { smooth(editor.mesh(), positions, vertices, how); });
-}
-
 }  // namespace requad::mesh

@@ -49,6 +49,11 @@ void Editor::place(VertexId v, const Eigen::Vector3d& position) {
   record_placement(edits_.emplace_back(), v, position);
 }
 
+void Editor::smooth(std::span<const VertexId> vertices, SmoothingOptions how) {
+  how.fixed = [this](VertexId v) { return sectors_.is_feature(v); };
+  rearrange(vertices, [&](Positions& positions) { mesh::smooth(mesh_, positions, vertices, how); });
+}
+
 void Editor::record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to) {
   Eigen::Vector3d& now = (*positions_)[v.slot()];
   edit.placements.push_back({v, now, to});

@@ -23,6 +23,7 @@
 #include "mesh/editing/operation_log.hpp"
 #include "mesh/editing/sectors.hpp"
 #include "mesh/geometry/measures.hpp"
+#include "mesh/geometry/smoothing.hpp"
 
 namespace requad::mesh {
 
@@ -48,7 +49,7 @@ class Editor : public OperationLog {
   Applied replay(const BasicOperation& operation, const Eigen::Vector3d& made_at);
   // Moves a vertex. Precondition: there are positions, and v is live and not fixed.
   void place(VertexId v, const Eigen::Vector3d& position);
-  // Lets `arrange(positions)` move some vertices, of which it may move no other and no fixed one, as one edit.
+  // Lets `arrange(positions)` move some of these vertices, as one edit. It must move no other one and no fixed one.
   template <class Arrange>
   void rearrange(std::span<const VertexId> vertices, Arrange&& arrange) {
     Edit edit;
@@ -58,6 +59,9 @@ class Editor : public OperationLog {
     std::erase_if(edit.placements, [](const Placement& p) { return same_bits(p.from, p.to); });
     if (!edit.placements.empty()) edits_.push_back(std::move(edit));
   }
+
+  // Smooths some vertices, as one edit. Fixed ones stay: `how.fixed` is overridden. Precondition: there are positions.
+  void smooth(std::span<const VertexId> vertices, SmoothingOptions how);
 
   void roll_back(std::size_t mark = 0) override;
 

@@ -1,15 +1,15 @@
 // Sharp features: edges that no operation may break.
 //
-// A feature is a set of edges, named by their end vertices. Vertices keep their ids under every operation that does not
-// remove them, so the set needs no update, and "the feature is kept" means exactly: every edge of the set is an edge of
-// the mesh between the same two vertices. Their positions are the business of whoever moves vertices: see Editor.
+// A feature is a set of edges, named by their end vertices. A vertex keeps its id under every operation that does not
+// remove it, so the set needs no update. "The feature is kept" means exactly this: every edge of the set is an edge of
+// the mesh between the same two vertices. The Editor keeps their positions.
 //
-// Law F (features). An operation keeps every feature edge iff
+// Law editing-5 (features). An operation keeps every feature edge iff
 //   flip      the edge is no feature edge
-//   collapse  the corner that is removed is no end of a feature edge (the other corner of the diagonal may be)
+//   collapse  the corner that is removed is no end of a feature edge (the other corner of the diagonal may be one)
 //   split     no feature edge at v lies strictly inside the sector that the new vertex takes
 //
-// Boundary edges need no listing: no operation breaks one (Law O2 of basic_operations.hpp).
+// Boundary edges need no listing: no operation breaks one (basic_operations.hpp).
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ class FeatureSet {
   // All edges, least vertex first, in increasing order. O(n log n).
   std::vector<std::array<VertexId, 2>> edges() const;
 
-  // Law F: FeatureRefusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
+  // By Law editing-5: FeatureRefusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
   Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation) const;
 
  private:

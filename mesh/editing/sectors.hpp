@@ -1,17 +1,16 @@
-// Sectors: how many quads a feature or the boundary should have on either side of a vertex.
+// Sectors: how many quads should lie at a vertex on either side of a feature, or at a boundary vertex.
 //
-//   cut edge   a feature edge or a boundary edge: what no operation removes
-//   fixed      a vertex on a cut edge
-//   sector     of a fixed vertex: its faces from one cut edge counter-clockwise to the next, which may be the same one.
-//              A free vertex has one sector, its whole ring. A sector is named by any half-edge out of the vertex whose
-//              face it holds.
-//   patch      the faces that one can reach from a face without crossing a cut edge; a sector lies in one patch
-//   excess     of a sector: its faces less those it should have. For a free vertex l(v) - 4. At a sharp corner a sector
-//              of 90 degrees should have one face, and on a crease either side two.
+//   cut edge   a feature edge or a boundary edge. No operation removes one.
+//   fixed      A fixed vertex lies on a cut edge. Any other vertex is free.
+//   sector     The faces of a fixed vertex from one cut edge counter-clockwise to the next, which may be the same one. A
+//              free vertex has one sector, its whole ring. A half-edge out of the vertex names the sector of its face.
+//   patch      The faces that can be reached from a face without crossing a cut edge. A sector lies in one patch.
+//   excess     The number of faces of a sector less the number that it should have. For a free vertex it is l(v) - 4. At
+//              a sharp corner a sector of 90 degrees should have one face, on a crease either side should have two.
 //
-// Law S (discrete Gauss-Bonnet for a patch). An operation that keeps the cut edges keeps the sum of the excesses over
-// each patch. So a patch whose excesses all have one sign has nothing that could be cancelled, and a vertex that is
-// irregular as its features ask is no defect.
+// Law editing-6 (discrete Gauss-Bonnet for a patch). An operation that keeps the cut edges keeps the sum of the excesses
+// over each patch. So in a patch whose excesses all have one sign nothing can be cancelled. A vertex that is irregular as
+// its features ask is no defect.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +25,7 @@ namespace requad::mesh {
 // How many faces the sectors of fixed vertices should have.
 class SectorPlan {
  public:
-  // Of the sector of v that starts at the cut edge v -> first, counter-clockwise. Size >= 1.
+  // For the sector of v that starts at the cut edge v -> first, counter-clockwise. Size >= 1.
   void set(VertexId v, VertexId first, int size);
   std::optional<int> get(VertexId v, VertexId first) const;
 
@@ -38,7 +37,7 @@ class SectorPlan {
 // A mesh seen with its cut edges. The mesh, and features and plan where they are given, must outlive it.
 class Sectors {
  public:
-  // Without a plan no fixed vertex has excess, and none may change.
+  // Without a plan, no fixed vertex has an excess, and none may change.
   explicit Sectors(const QuadMesh& mesh, const FeatureSet* features = nullptr, const SectorPlan* plan = nullptr)
       : mesh_(mesh), features_(features), plan_(plan) {}
 
@@ -49,9 +48,9 @@ class Sectors {
   // Whether an edit may change the number of faces in the sectors of v.
   bool may_change(VertexId v) const { return plan_ != nullptr || !is_fixed(v); }
 
-  // The first half-edge of a fixed vertex's sector: on a cut edge. Of a free vertex, h. O(valence).
+  // The first half-edge of the sector, which lies on a cut edge; for a free vertex, h. O(valence).
   HalfEdgeId start(HalfEdgeId h) const;
-  // The faces of the sector. O(valence).
+  // The number of faces of the sector. O(valence).
   int size(HalfEdgeId h) const;
   // 0 for a fixed vertex that may not change. O(valence).
   int excess(HalfEdgeId h) const;
@@ -67,8 +66,8 @@ class Sectors {
       if (is_cut(h)) visit(h);
     });
   }
-  // Calls visit(x, at) for each neighbour x of v, by every sector that has the edge to x and an excess of this sign.
-  // `at` is the edge's half-edge in the sector's patch. O(valence^2).
+  // Calls visit(x, at) for each neighbour x of v, once for every sector that has the edge to x and an excess of this sign.
+  // `at` is the half-edge of the edge in the sector's patch. O(valence^2).
   template <class Visit>
   void for_each_edge(VertexId v, int sign, Visit&& visit) const {
     mesh_.for_each_out(v, [&](HalfEdgeId h) {
@@ -107,8 +106,8 @@ class Sectors {
   const SectorPlan* plan_;
 };
 
-// The plan that angles ask for: a sector should have a face for each 90 degrees between its cut edges, measured along
-// the surface and rounded, and one at the least. O(mesh).
+// The plan that angles ask for: a sector should have one face for each 90 degrees between its cut edges, measured along
+// the surface and rounded, and at least one. O(mesh).
 SectorPlan plan_by_angles(const QuadMesh& mesh, const FeatureSet& features, const Positions& positions);
 
 }  // namespace requad::mesh

@@ -37,9 +37,9 @@ Untangling untangle(Editor& editor, SmoothingOptions how) {
     const std::size_t mark = editor.mark();
     how.iterations = kIterationsARing * rings;
     how.guard.reset();
-    smooth_edit(editor, near, how);
+    editor.smooth(near, how);
     how.guard = guard;
-    smooth_edit(editor, near, how);
+    editor.smooth(near, how);
     int left = 0;
     std::vector<VertexId> now = corners_of_inverted(m, *editor.positions(), left);
     if (left < result.after) {

@@ -95,8 +95,8 @@ std::optional<AtomicName> parse_atomic_name(std::string_view text) {
 
 namespace {
 
-// An operation as a step of a courier. V is the courier's v in what moves a v5 or splits V, so the courier runs against
-// the direction in which the operation is seen.
+// An operation as a step of an adjacent pair. Where a v5 moves or V is split, V is the pair's v. There the pair runs
+// against the direction in which the operation is seen.
 struct Sent {
   HalfEdgeId pair;
   TransportStep step;
@@ -106,7 +106,7 @@ Sent turned(const QuadMesh& m, AtomicKind kind, Sent s) {
   return runs_against(kind) ? Sent{m.twin(s.pair), {s.step.kind, other(s.step.hand)}} : s;
 }
 
-constexpr int kStraight = 2;  // the split's path takes the second edge, as a courier's does
+constexpr int kStraight = 2;  // the split's path takes the second edge, as in transport
 
 struct Resolved {
   Refusal refusal = Refusal::none;
@@ -201,12 +201,12 @@ AtomicReport perform(Editor& editor, const AtomicOperation& op) {
   back.swapped = op.swapped;
   back.corner = done.inverse.corner;
   if (is_type_change(kind)) {
-    // Still seen from V to W. V is what is not on the hand of a split.
+    // This is still seen from V to W. Of the two parts of a split, V is the one that is not on the hand.
     back.along = m.find_half_edge(splits && op.swapped ? made : kept, w);
     back.name.step = {inverse(op.name.step.kind), op.name.step.hand};
     back.name.turn = kind == AtomicKind::raise ? opposite_valence - 1 : 0;
   } else {
-    // The courier looks back on the other hand to where it came from.
+    // The pair looks back, on the other hand, to where it came from.
     const Sent sent =
         turned(m, back.name.kind, {r.planned.next.forth(m), {inverse(r.sent.step.kind), other(r.sent.step.hand)}});
     back.along = sent.pair;
@@ -223,7 +223,7 @@ class Lister {
  public:
   explicit Lister(const Editor& editor) : editor_(editor), m_(editor.mesh()) {}
 
-  // What lies along one edge, but for the type changes.
+  // The operations that lie along one edge, except the type changes.
   void add_edge(HalfEdgeId along) {
     const VertexId w = m_.target(along);
     const int lv = m_.valence(m_.origin(along));
@@ -249,7 +249,7 @@ class Lister {
     }
   }
 
-  // Each of the six steps is one of the kinds that are about an adjacent 3-5 pair: move-35 if it is refused as all.
+  // Each of the six steps is of one of the kinds for an adjacent 3-5 pair, or move-35 if all of them are refused.
   void add_pair(HalfEdgeId pair) {
     for (const TransportStep step : kTransportSteps) {
       AtomicChoice best;
@@ -291,7 +291,7 @@ std::vector<AtomicChoice> atomic_operations(const Editor& editor, VertexId v) {
   Lister list(editor);
   for (const HalfEdgeId h : out) list.add_edge(h);
   for (const HalfEdgeId h : out) list.add_raise(h, Hand::left);
-  // The left part is the new one, and the larger; where both are equal, half of the edges make all paths.
+  // The left part is the new and the larger one. Where both are equal, half of the edges make all paths.
   for (int turn = (l + 1) / 2; turn <= l - 2; ++turn) {
     for (int i = 0; i < (2 * turn == l ? turn : l); ++i) list.add_lower(out[static_cast<std::size_t>(i)], turn);
   }

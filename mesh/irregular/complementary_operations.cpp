@@ -21,8 +21,8 @@ struct Route {
   int length = 0;
 };
 
-// A shortest path from one vertex to another over regular, free vertices; its ends may run along a feature. It leaves
-// `from` by a sector whose excess has the sign given, and comes to `to` by one of the other sign.
+// A shortest path from one vertex to another over regular, free vertices. Its ends may run along a feature. It leaves
+// `from` by a sector whose excess has the given sign, and reaches `to` by a sector of the other sign.
 Route route(const Editor& editor, BreadthFirstDistances& around, VertexId from, VertexId to, int sign) {
   const QuadMesh& m = editor.mesh();
   const Sectors& sectors = editor.sectors();
@@ -51,7 +51,7 @@ Route route(const Editor& editor, BreadthFirstDistances& around, VertexId from, 
   return result;
 }
 
-// The helpers after one of them took a courier: it has moved, or is regular, or has become two.
+// The helpers after one of them absorbed a pair: it has moved, or is regular, or has become two.
 void update_helpers(const Editor& editor, const TransportReport& report, std::vector<VertexId>& helpers) {
   const QuadMesh& m = editor.mesh();
   std::erase_if(helpers, [&](VertexId v) { return !m.is_live(v) || !editor.sectors().is_irregular(v); });
@@ -60,10 +60,10 @@ void update_helpers(const Editor& editor, const TransportReport& report, std::ve
   }
 }
 
-// In what order a cancellation tries things. No order is best everywhere: a helper may be led into a corner.
+// What a cancellation tries first. No order is best everywhere, since a helper may be led into a corner.
 struct CancellationOrder {
   bool five_walks;  // first; the v3 otherwise
-  bool may_cross;   // couriers may cross a helper
+  bool may_cross;   // an adjacent pair may cross a helper
 };
 constexpr std::array<CancellationOrder, 4> kCancellationOrders{
     {{false, false}, {true, false}, {false, true}, {true, true}}};
@@ -77,7 +77,7 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
   const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
   for (bool adjacent = false; !adjacent;) {
     const Route path = route(editor, around, three, five, -1);
-    // Splits on the way may make the path longer, but not for ever.
+    // Splits on the way may make the path longer, so the number of transports is bounded.
     if (transports_left < 0) transports_left = 3 * path.length + 8;
     if (!path.first.valid() || transports_left-- == 0) return refuse(EditRefusal::no_path);
     if (helpers.empty()) return refuse(EditRefusal::lone_pair);
@@ -88,7 +88,7 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
     for (const bool five_walks : {order.five_walks, !order.five_walks}) {
       const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
       if (!edge.valid()) continue;
-      // A courier runs from the v3, or from where the v5 goes.
+      // The adjacent pair runs from the v3, or from where the v5 goes.
       const bool from_origin = (m.origin(edge) == three) || (five_walks && m.origin(edge) != five);
       const AdjacentPair start{edge, !from_origin};
       if (!five_walks && editor.sectors().excess(start.at_u()) != -1) continue;
@@ -147,7 +147,8 @@ PairStep step_for(int valence, Delta delta) {
   return (delta.d2 < 0) == three ? PairStep::slide_first : PairStep::slide_second;
 }
 
-// Moves the pair again and again, each time by what `choose` says of its frame, until that is nothing. All or none.
+// Moves the pair again and again, each time by what `choose` says of its frame, until it says nothing. Makes all moves or
+// none.
 template <class Choose>
 PairResult move_repeatedly(Editor& editor, PairFrame frame, Choose&& choose) {
   const int valence = editor.mesh().face_valence(frame.v1);
@@ -214,7 +215,7 @@ PairResult align_pair(Editor& editor, VertexId v1, VertexId v2) {
 
 namespace {
 
-// How far some excesses are from 0, large ones counting more than their share.
+// How far some excesses are from 0. Large ones count more.
 int irregularity(std::span<const int> excesses) {
   int sum = 0;
   for (const int e : excesses) sum += e * e;
@@ -226,7 +227,7 @@ struct Parting {
   int gain;  // by which the irregularity falls
 };
 
-// All operations that part a free vertex v, as even splits as there are or collapses.
+// All operations that part a free vertex v: collapses of a v2, or splits that are as even as possible.
 std::vector<Parting> partings(const QuadMesh& m, const Sectors& sectors, VertexId v) {
   std::vector<Parting> result;
   const int l = m.face_valence(v);

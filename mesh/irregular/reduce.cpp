@@ -44,13 +44,13 @@ class Reducer {
     report_.before = count_irregular();
     report_.after = report_.before;
     for (bool progress = true; progress && report_.after > options_.until;) {
-      // Where nothing is to be cancelled, parting would only make more of them.
+      // Where nothing can be cancelled, parting would only make more irregular vertices.
       if (!editor_.sectors().is_minimal()) report_.parted += part_all(editor_);
       values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), 0);
       irregular_.assign(values_.size(), false);
       report_.after = 0;
       for (const VertexId v : m_.vertices()) remember(v);
-      // Everything is tried afresh as long as that leads on: what was refused once may have become possible.
+      // Everything is tried again as long as something succeeds: what was refused once may have become possible.
       progress = false;
       report_.refusals.clear();
       report_.too_far = 0;
@@ -63,7 +63,7 @@ class Reducer {
       }
     }
     smoothing_.iterations = options_.final_iterations;
-    smooth_edit(editor_, m_.vertices(), smoothing_);
+    editor_.smooth(m_.vertices(), smoothing_);
     // Untangling may lead far along the surface.
     if (options_.final_iterations > 0 && options_.max_deviation < 0) untangle(editor_, smoothing_);
     report_.minimal = editor_.sectors().is_minimal();
@@ -99,7 +99,7 @@ class Reducer {
     editor_.roll_back(mark);
   }
 
-  // Cancels the pair and smooths; leaves the mesh as it was if it can not.
+  // Cancels the pair and smooths. Leaves the mesh as it was if this is refused.
   bool make(VertexId three, VertexId five, double& cost) {
     ++report_.measured;
     const std::size_t mark = editor_.mark();
@@ -110,20 +110,20 @@ class Reducer {
       ++report_.refusals[last_.refusal];
       return false;
     }
-    footprint_ = affected_region_since(editor_, around_, mark, kRings + 1);
-    smooth_edit(editor_, std::span(footprint_.near).first(footprint_.inner), smoothing_);
+    affected_ = affected_region_since(editor_, around_, mark, kRings + 1);
+    editor_.smooth(std::span(affected_.near).first(affected_.inner), smoothing_);
     if (deviation() > options_.max_deviation && options_.max_deviation >= 0) {
       ++report_.too_far;
       editor_.roll_back(mark);
       return false;
     }
     cost = 0;
-    for (const VertexId v : footprint_.near) {
+    for (const VertexId v : affected_.near) {
       cost += value(v);
-      // A vertex that was made has no value yet; one in whose place it came is forgotten as removed.
+      // A vertex that was made has no value yet. Another one that had its id counts as removed.
       if (v.slot() < values_.size()) cost -= values_[v.slot()];
     }
-    for (const VertexId v : footprint_.removed) cost -= v.slot() < values_.size() ? values_[v.slot()] : 0;
+    for (const VertexId v : affected_.removed) cost -= v.slot() < values_.size() ? values_[v.slot()] : 0;
     return true;
   }
 
@@ -131,7 +131,7 @@ class Reducer {
   double deviation() const {
     double largest = 0;
     if (options_.max_deviation < 0) return largest;
-    for (const VertexId v : std::span(footprint_.near).first(footprint_.inner)) {
+    for (const VertexId v : std::span(affected_.near).first(affected_.inner)) {
       m_.for_each_out(v, [&](HalfEdgeId h) {
         const Eigen::Vector3d centre = face_centre(m_, positions(), QuadMesh::face(h));
         largest = std::max(largest, options_.surface->nearest(centre).distance);
@@ -151,7 +151,7 @@ class Reducer {
     return sum / 4;
   }
 
-  // Takes a vertex as it is now for what it was before the next cancellation.
+  // Remembers the value that a vertex has before the next cancellation.
   void remember(VertexId v) {
     if (v.slot() >= values_.size()) {
       values_.resize(v.slot() + 1, 0);
@@ -163,7 +163,7 @@ class Reducer {
     irregular_[v.slot()] = irregular;
   }
 
-  // Makes the cheapest candidate, if it still is the cheapest when it is measured again.
+  // Makes the cheapest candidate, provided that it is still the cheapest when it is measured again.
   bool take_cheapest() {
     Candidate c = queue_.top();
     queue_.pop();
@@ -179,9 +179,9 @@ class Reducer {
     ++report_.cancelled;
     report_.transports += last_.transports;
     report_.operations += last_.steps;
-    for (const VertexId v : footprint_.removed) remember(v);
-    for (const VertexId v : footprint_.near) remember(v);
-    const std::vector<VertexId> changed = std::move(footprint_.changed);
+    for (const VertexId v : affected_.removed) remember(v);
+    for (const VertexId v : affected_.near) remember(v);
+    const std::vector<VertexId> changed = std::move(affected_.changed);
     for (const VertexId v : changed) add_candidates(v);
     return true;
   }
@@ -195,7 +195,7 @@ class Reducer {
   std::priority_queue<Candidate> queue_;
   ReduceReport report_;
   Cancellation last_;            // of make()
-  AffectedRegion footprint_;     // of make()
+  AffectedRegion affected_;      // of make()
   std::vector<double> values_;   // by vertex slot, of the mesh after the last cancellation
   std::vector<bool> irregular_;  // likewise
 };

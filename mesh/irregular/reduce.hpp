@@ -1,19 +1,19 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
-// Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and the neighbourhood
-// smoothed. A candidate is a pair of near vertices of opposite index with the nearest irregular vertices as helpers.
-// Its cost is measured by making it, smoothing included, and taking it back. Costs are kept in a priority queue; after
-// each cancellation only the candidates round the vertices that moved are made anew, and one whose surroundings may
-// have changed is measured again when its turn comes.
+// Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its neighbourhood
+// is smoothed. A candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers.
+// The cost of a candidate is measured by making it, smoothing included, and taking it back. Costs are kept in a priority
+// queue. After each cancellation, only the candidates round the vertices that moved are made anew. A candidate whose
+// neighbourhood may have changed is measured again when its turn comes.
 //
-// Law R1. The mesh is valid, and every cut edge (sectors.hpp) is there with its place, after every cancellation.
-// Law R2. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the end comes, at the least
-//         when the excesses of each patch have one sign, where discrete Gauss-Bonnet leaves nothing to cancel: without
-//         features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
-// Law R3. The result depends on the mesh and the options alone.
+// Law irregular-31. After every cancellation the mesh is valid, and every cut edge (sectors.hpp) is in its place.
+// Law irregular-32. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the reduction ends, at
+//         the latest when the excesses of each patch have one sign. Discrete Gauss-Bonnet leaves nothing to cancel there:
+//         without features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
+// Law irregular-33. The result depends on nothing but the mesh and the options.
 //
-// Costs: for each candidate the length of the couriers' journeys and the area smoothed; no term in the size of the mesh
-// but for the start.
+// Costs: for each candidate, the length of its transports and the area that is smoothed. Only the start depends on the
+// size of the mesh.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@
 
 namespace requad::mesh {
 
-// What a candidate costs. Both are sums over what the cancellation changed, after minus before.
+// What a candidate costs: a sum over what the cancellation changed, after minus before.
 enum class ReduceCost {
   curvature,  // |discrete mean curvature| of the vertices: the paper's
   shape       // (1 - scaled Jacobian) * area of the faces
@@ -36,12 +36,14 @@ enum class ReduceCost {
 struct ReduceOptions {
   int until = 0;  // stop at so many irregular vertices
   ReduceCost cost = ReduceCost::shape;
-  // Of a changed face's centre from the surface, in its units; < 0: none. Needs a surface.
+  // The largest distance allowed of a changed face's centre from the surface, in units of length. Negative: no bound.
+  // Needs a surface.
   double max_deviation = -1;
-  const SurfaceIndex* surface = nullptr;        // the input: positions are projected on it, and deviation is from it
-  int smoothing_iterations = 4;                 // after each cancellation, over what changed and two rings more
-  int final_iterations = 30;                    // over the whole mesh, in the end; then, unless 0 or
-                                                // max_deviation is given, untangling
+  const SurfaceIndex* surface =
+      nullptr;                   // the input: positions are projected onto it, and deviation is measured from it
+  int smoothing_iterations = 4;  // after each cancellation, over what changed and two rings more
+  // Over the whole mesh, in the end. Untangling follows, unless this is 0 or max_deviation is given.
+  int final_iterations = 30;
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 

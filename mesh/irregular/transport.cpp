@@ -50,16 +50,16 @@ std::string to_string(const Obstacles& obstacles) {
 
 namespace {
 
-// What landing on a vertex does: it is regular and becomes the courier's end; it is a target that takes the courier; or
-// a target that must be crossed, a v5 that the courier makes a v6 or a v3 that it makes a v2.
+// What landing on a vertex does. It is regular and becomes an end of the pair; or it is a target that absorbs the pair; or
+// it is a target that must be crossed: a v5 that the pair makes a v6, or a v3 that it makes a v2.
 enum class Landing { refused, regular, absorbed, crossed };
 
 }  // namespace
 
-// From the targets over vertices on which a courier can land, until both ends of the start have been met and a little
-// further, so that small detours are measured too. Couriers cross no feature, so distances end there. A target on a
-// feature may have no edge inside its patch, but a split beside it lets it take a courier all the same (Figure 18):
-// there the corners of its sector count as the target.
+// Measures from the targets over vertices on which a pair can land, until both ends of the start have been met and a
+// little further, so that small detours are measured too. A pair crosses no feature, so distances end there. A target on
+// a feature may have no edge inside its patch, but a split beside it lets it absorb a pair all the same (Figure 18). There
+// the corners of its sector count as the target.
 void PairTransport::measure_distances(std::span<const VertexId> targets, AdjacentPair start) {
   constexpr int kMargin = 2;
   const QuadMesh& m = editor_.mesh();
@@ -92,7 +92,7 @@ int PairTransport::distance(VertexId v) const {
   return d >= 0 ? d : farthest_ + 1;
 }
 
-// Makes the mesh that of a node: back to where the paths part, then forward.
+// Turns the mesh into that of a node: takes steps back to where the two paths part, then goes forward.
 void PairTransport::go_to(int node, std::size_t base) {
   std::vector<int> wanted;
   for (int n = node; n > 0; n = nodes_[static_cast<std::size_t>(n)].parent) wanted.push_back(n);
@@ -107,7 +107,7 @@ void PairTransport::go_to(int node, std::size_t base) {
   }
 }
 
-// Queues every step that can be made from here.
+// Queues every step that the pair can make from here.
 void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId> targets, Obstacles& obstacles) {
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
@@ -115,7 +115,7 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
   const VertexId v = pair.v(m);
   const auto is_target = [&](VertexId x) { return std::find(targets.begin(), targets.end(), x) != targets.end(); };
   const auto meet = [&](VertexId x) { (m.is_boundary(x) ? obstacles.boundary : obstacles.features) = true; };
-  // `at` names the vertex and its sector; gains: it becomes the courier's v, and has one quad more.
+  // `at` names the vertex and its sector; `gains` means that it becomes the pair's v and has one quad more.
   const auto landing = [&](HalfEdgeId at, bool gains) {
     if (!at.valid()) return Landing::refused;
     const VertexId x = m.origin(at);
@@ -135,7 +135,7 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
     const bool splits = step.kind == TransportStep::Kind::split;
     // On a cut edge there is one hand only.
     if (cut && (step.hand == Hand::right) != pair.against) continue;
-    // A target that was crossed takes the courier on its far side: a v2 by the collapse, a v6 by the even split.
+    // A target that was crossed absorbs the pair on its far side: a v2 by the collapse, a v6 by the even split.
     const bool takes = (collapses && eu == -2 && is_target(u)) || (splits && ev == 2 && is_target(v));
     if ((collapses && eu != -1 && !takes) || (splits && ev < 0)) continue;
     PlannedStep planned = plan(m, pair, step, splits && takes ? 3 : 2);
@@ -144,8 +144,8 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
     if (at_u == Landing::refused || at_v == Landing::refused || planned.next_u == planned.next_v) continue;
     if (takes && (at_u != Landing::regular || at_v != Landing::regular)) continue;
     if (collapses && sectors.is_cut(planned.first)) planned.next = planned.beside;
-    // Vertices that were there before keep their ids, so that distances and targets stay what they are. But a collapse
-    // at a fixed u takes a regular vertex into it, and the next v is u.
+    // The vertices that exist keep their ids, so that distances and targets stay what they are. Only a collapse at a fixed
+    // u takes a regular vertex into it, and u is then the next v.
     if (collapses && keeps_u) {
       if (at_v != Landing::regular || sectors.is_fixed(planned.next_v)) continue;
       planned.next_v = u;
@@ -162,7 +162,7 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
     if (at_v == Landing::absorbed) absorbed_by = planned.next_v;
     if (takes) absorbed_by = collapses ? u : v;
     const int absorbed = (at_u == Landing::absorbed ? 1 : 0) + (at_v == Landing::absorbed ? 1 : 0) + (takes ? 1 : 0);
-    // Beyond a target that was crossed, the same place is another one: the target lies on the other hand.
+    // Beyond a target that was crossed, the same position counts as another one: the target lies on the other hand.
     const Node& here = nodes_[static_cast<std::size_t>(node)];
     const int crossings = here.crossings + (at_u == Landing::crossed ? 1 : 0) + (at_v == Landing::crossed ? 1 : 0);
     if (crossings > most_crossings_) continue;

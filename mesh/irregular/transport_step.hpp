@@ -1,5 +1,4 @@
-// The plan of a courier's step, inline: for the moves of pairs, which make nothing but steps (transport.hpp says what they
-// are; plan() there is this function).
+// plan() of transport.hpp as an inline function, for pair moves, which make nothing but steps.
 #pragma once
 
 #include "mesh/irregular/transport.hpp"

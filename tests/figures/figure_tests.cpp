@@ -306,7 +306,7 @@ TEST_CASE("pictures of operations show what the operations do", "[figures]") {
     CHECK(p.filled(ink::kYellow) == e.made);
     CHECK(p.filled(ink::kPaleRed) == e.deleted);
   }
-  // Law P3: a 3 x 0 pair makes or deletes 3 quads by each move, a 2 x 1 pair 1, 1, 3 and 3.
+  // Law irregular-11: a 3 x 0 pair makes or deletes 3 quads by each move, a 2 x 1 pair 1, 1, 3 and 3.
   const Paths six = paths("6");
   CHECK(six.outlines("1") == 16);
   CHECK(six.filled(ink::kYellow) == 3 + 3 + 1 + 3);

@@ -1,4 +1,4 @@
-// Editors, features, couriers and the complementary operations, on generated meshes.
+// Editors, features, transport and the complementary operations, on generated meshes.
 #include <map>
 #include <random>
 
@@ -25,7 +25,8 @@ const theory::Configuration kHexagonStart{{2, 2, theory::IntegerVector::Constant
 
 }  // namespace
 
-TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll back bit by bit", "[editor]") {
+TEST_CASE("Laws editing-1 to editing-4: random edits keep features and fixed positions, and roll back bit by bit",
+          "[editor]") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     INFO("seed " << seed);
     std::mt19937 random(seed);
@@ -48,7 +49,7 @@ TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll 
       if (refusal != Refusal::none) REQUIRE(m == kept);
       if (refusal == FeatureRefusal::breaks_feature) {
         ++refused_for_features;
-        // Law F says no more than needed: the operation does break the feature.
+        // Law editing-5 says no more than needed: the operation does break the feature.
         QuadMesh broken = m;
         REQUIRE(apply(broken, op).refusal == Refusal::none);
         const auto edges = features.edges();
@@ -76,7 +77,7 @@ TEST_CASE("Laws E1-E3: random edits keep features and fixed positions, and roll 
   }
 }
 
-TEST_CASE("Law E1: a move from 0 to -0 is a move, and is taken back", "[editor]") {
+TEST_CASE("Law editing-2: a move from 0 to -0 is a move, and is taken back", "[editor]") {
   QuadMesh m = tests::torus(3, 3);
   Positions positions(9, Eigen::Vector3d::Zero());
   Editor editor(m, nullptr, &positions);
@@ -89,7 +90,8 @@ TEST_CASE("Law E1: a move from 0 to -0 is a move, and is taken back", "[editor]"
   CHECK(same_bits(positions[4], Eigen::Vector3d::Zero()));
 }
 
-TEST_CASE("Law C1: a step changes the valences of both places of the courier and no other", "[courier]") {
+TEST_CASE("Law irregular-1: a step changes the valences of both positions of the adjacent pair and no other",
+          "[transport]") {
   // By hand: u gains and v loses an edge, the next u loses and the next v gains one.
   const Region start = enumerate::glue_region(theory::kQuad, {{1, 0, theory::IntegerVector::Constant(4, 3)}, 1});
   const auto pair = irregular_vertices(start.mesh);
@@ -118,11 +120,11 @@ TEST_CASE("Law C1: a step changes the valences of both places of the courier and
   }
 }
 
-TEST_CASE("Couriers take the way of the pair moves where nothing is in the way", "[courier]") {
-  // Every configuration that pair moves reach in one step is reached by couriers too, and couriers reach no other.
+TEST_CASE("Transport goes as the pair moves do where nothing is in the way", "[transport]") {
+  // Transport reaches every configuration that pair moves reach in one step, and no other.
   const auto found = enumerate::explore(
       theory::kHexagon, {enumerate::glue_region(theory::kHexagon, {{1, 1, theory::IntegerVector::Constant(6, 2)}, 1})});
-  std::map<int, std::set<std::string>> by_moves, by_couriers;
+  std::map<int, std::set<std::string>> by_moves, by_transport;
   for (const auto& move : found.moves) {
     if (move.to >= 0 && found.holds_pair(move.to) && found.holds_pair(move.from))
       by_moves[move.from].insert(found.nodes[static_cast<std::size_t>(move.to)].signature);
@@ -141,7 +143,7 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
         if (transport.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
           continue;
         CHECK(validate(m).empty());
-        by_couriers[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
+        by_transport[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
         editor.roll_back();
         CHECK(m == region.mesh);
       }
@@ -150,7 +152,7 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
   std::set<std::string> known;
   for (const auto& node : found.nodes) known.insert(node.signature);
   int same = 0;
-  for (const auto& [node, results] : by_couriers) {
+  for (const auto& [node, results] : by_transport) {
     for (const auto& result : results) CHECK(known.count(result) == 1);
     same += std::includes(results.begin(), results.end(), by_moves[node].begin(), by_moves[node].end()) ? 1 : 0;
   }

@@ -64,7 +64,7 @@ struct Workshop {
       }
       if (done % 100 == 0) {
         const std::array some{live(), live(), live()};
-        smooth_edit(editor, some, {});
+        editor.smooth(some, {});
       }
     }
   }

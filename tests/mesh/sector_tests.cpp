@@ -1,4 +1,4 @@
-// Sectors of fixed vertices: Law S, what angles ask for, and couriers that repair features and boundaries.
+// Sectors of fixed vertices: Law editing-6, what angles ask for, and transports that repair features and boundaries.
 #include <map>
 #include <numeric>
 #include <random>
@@ -136,7 +136,7 @@ TEST_CASE("Sectors: sizes, starts and excess by hand", "[sectors]") {
   CHECK_FALSE(without.is_irregular(VertexId(0)));
 }
 
-TEST_CASE("Law S: no operation changes the sum of the excesses over a patch", "[sectors]") {
+TEST_CASE("Law editing-6: no operation changes the sum of the excesses over a patch", "[sectors]") {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     INFO("seed " << seed);
     std::mt19937 random(seed);

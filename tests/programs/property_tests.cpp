@@ -180,7 +180,7 @@ TEST_CASE("random operations keep the laws, and their inverses give the mesh bac
 }
 
 TEST_CASE("an operation is refused for a feature exactly if it would break one", "[properties]") {
-  // Law F says iff: the other direction needs the operations that are refused to be made and to break an edge.
+  // Law editing-5 says iff: the other direction needs the operations that are refused to be made and to break an edge.
   holds("features", [] {
     const Start& start = some_start();
     FeatureSet features;

@@ -86,7 +86,7 @@ Judgement judge_distance_changed(const Study& s) {
 }
 
 // Along a connecting path of length d1 + d2 quads are all created or all deleted; along one whose two legs work against
-// each other, |d1 - d2| remain (Law P3 of mesh/irregular/pair_moves.hpp).
+// each other, |d1 - d2| remain (Law irregular-11 of mesh/irregular/pair_moves.hpp).
 Judgement judge_faces(const Study& s) {
   const theory::PairSystem system(s.region.type);
   return for_each_move(s, [&](const FoundMove& move) -> std::string {
