@@ -46,7 +46,8 @@ class FeatureSet {
   // All edges, least vertex first, in increasing order. O(n log n).
   std::vector<std::array<VertexId, 2>> edges() const;
 
-  // By Law editing-5: FeatureRefusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the mesh. O(valence).
+  // By Law editing-5: FeatureRefusal::breaks_feature or Refusal::none. Precondition: the operation is legal on the
+  // mesh. O(valence).
   Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation) const;
 
  private:

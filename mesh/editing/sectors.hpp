@@ -2,15 +2,16 @@
 //
 //   cut edge   a feature edge or a boundary edge. No operation removes one.
 //   fixed      A fixed vertex lies on a cut edge. Any other vertex is free.
-//   sector     The faces of a fixed vertex from one cut edge counter-clockwise to the next, which may be the same one. A
-//              free vertex has one sector, its whole ring. A half-edge out of the vertex names the sector of its face.
+//   sector     The faces of a fixed vertex from one cut edge counter-clockwise to the next, which may be the same one.
+//              A free vertex has one sector, its whole ring. A half-edge out of the vertex names the sector of its
+//              face.
 //   patch      The faces that can be reached from a face without crossing a cut edge. A sector lies in one patch.
-//   excess     The number of faces of a sector less the number that it should have. For a free vertex it is l(v) - 4. At
-//              a sharp corner a sector of 90 degrees should have one face, on a crease either side should have two.
+//   excess     The number of faces of a sector less the number that it should have. For a free vertex it is l(v) - 4.
+//              At a sharp corner a sector of 90 degrees should have one face, on a crease either side should have two.
 //
-// Law editing-6 (discrete Gauss-Bonnet for a patch). An operation that keeps the cut edges keeps the sum of the excesses
-// over each patch. So in a patch whose excesses all have one sign nothing can be cancelled. A vertex that is irregular as
-// its features ask is no defect.
+// Law editing-6 (discrete Gauss-Bonnet for a patch). An operation that keeps the cut edges keeps the sum of the
+// excesses over each patch. So in a patch whose excesses all have one sign nothing can be cancelled. A vertex that is
+// irregular as its features ask is no defect.
 #pragma once
 
 #include <cstdint>
@@ -66,8 +67,8 @@ class Sectors {
       if (is_cut(h)) visit(h);
     });
   }
-  // Calls visit(x, at) for each neighbour x of v, once for every sector that has the edge to x and an excess of this sign.
-  // `at` is the half-edge of the edge in the sector's patch. O(valence^2).
+  // Calls visit(x, at) for each neighbour x of v, once for every sector that has the edge to x and an excess of this
+  // sign. `at` is the half-edge of the edge in the sector's patch. O(valence^2).
   template <class Visit>
   void for_each_edge(VertexId v, int sign, Visit&& visit) const {
     mesh_.for_each_out(v, [&](HalfEdgeId h) {

@@ -1,9 +1,9 @@
 // The atomic semantic operations of section 5, by name, each with its inverse.
 //
 // Each of them is one basic operation with a meaning: it says what becomes of an irregular vertex or of a pair. All of
-// them are steps of an adjacent pair u -> v (transport.hpp). They are told apart by the valences that the step finds. Let
-// u' and v' be the pair after the step, and c the corner of the face opposite u. The step adds (+1, -1, -1, +1) to the
-// valences of u, v, u', v'. A collapse merges u, a v3, into c = v'; a split makes u' as a v3 out of v.
+// them are steps of an adjacent pair u -> v (transport.hpp). They are told apart by the valences that the step finds.
+// Let u' and v' be the pair after the step, and c the corner of the face opposite u. The step adds (+1, -1, -1, +1) to
+// the valences of u, v, u', v'. A collapse merges u, a v3, into c = v'; a split makes u' as a v3 out of v.
 //
 //   name           u v u' v'  becomes   by                     inverse        in the paper
 //   move-35        3 5 4 4    4 4 3 5   collapse flip split    move-35        Figure 3: six directions
@@ -16,28 +16,29 @@
 //
 // Two more change a vertex V of any valence and the vertices next to it ("type change", Figure 5):
 //
-//   raise          A collapse: V takes in the opposite corner c of a face at V, l(c) > 2. V gets l(V) + l(c) - 2, and the
-//                  face's other two corners lose 1. A v2 becomes regular between two v3s (Figure 5a).
+//   raise          A collapse: V takes in the opposite corner c of a face at V, l(c) > 2. V gets l(V) + l(c) - 2, and
+//                  the face's other two corners lose 1. A v2 becomes regular between two v3s (Figure 5a).
 //   lower          A split along W - V - Z, where Z is the K-th edge of V from W on the hand, 2 <= K < l(V). V gets
-//                  l(V) - K + 1, a new vertex gets K + 1, and W and Z gain 1. With K = 3 a v6 becomes two regular vertices
-//                  between two v5s (Figure 5b).
+//                  l(V) - K + 1, a new vertex gets K + 1, and W and Z gain 1. With K = 3 a v6 becomes two regular
+//                  vertices between two v5s (Figure 5b).
 //
 // These two are inverse to each other. The first table has the operations of the paper only. The others (a v3 can also
 // move by a split, four alternating v3s and v5s round a face go by a collapse) are each a raise or a lower.
 //
-// Position and hand. An operation lies along a half-edge, and left and right are seen along it: from the v3 to the v5 of a
-// pair; from V to the neighbour where a v3 or v5 moves to; from the u that becomes a v5 to the v that becomes a v3 in
-// generate-3355; from u to v in remove-3355; from V to W otherwise. A raise takes the face on the hand.
+// Position and hand. An operation lies along a half-edge, and left and right are seen along it: from the v3 to the v5
+// of a pair; from V to the neighbour where a v3 or v5 moves to; from the u that becomes a v5 to the v that becomes a v3
+// in generate-3355; from u to v in remove-3355; from V to W otherwise. A raise takes the face on the hand.
 //
 // Names are "move-35 collapse left", "lower split right 3" (the last word is K): kind, basic operation, hand. A name
 // depends on the mesh only by its position, and never changes.
 //
-// Law irregular-21. The inverse that perform() reports, performed next, restores the mesh: same ids, same free ids next.
-// Law irregular-22. An operation changes the valences that its table says and no other, and none on the boundary. It keeps
-//         every feature edge; the valence of a feature's vertex may change.
+// Law irregular-21. The inverse that perform() reports, performed next, restores the mesh: same ids, same free ids
+// next.
+// Law irregular-22. An operation changes the valences that its table says and no other, and none on the boundary. It
+//         keeps every feature edge; the valence of a feature's vertex may change.
 //
-// Costs: those of the basic operation, O(1) in the size of the mesh. The list of a vertex of valence l has O(l) entries,
-// and l (l - 3) / 2 of `lower`.
+// Costs: those of the basic operation, O(1) in the size of the mesh. The list of a vertex of valence l has O(l)
+// entries, and l (l - 3) / 2 of `lower`.
 #pragma once
 
 #include <array>
@@ -114,8 +115,8 @@ struct ValenceChange {
 //   dead_element          `along` is no live half-edge
 //   touches_boundary      a vertex that would change its valence lies on the boundary
 //   no_such_step          the kind cannot be performed by this basic operation
-//   wrong_valences        u, v are not what the kind is about; or the corner c of a raise is a v2; or K of a lower is out
-//                         of range
+//   wrong_valences        u, v are not what the kind is about; or the corner c of a raise is a v2; or K of a lower is
+//                         out of range
 //   irregular_in_the_way  u' or v' is not what the kind is about
 //   breaks_feature        a feature edge would go
 // and whatever why_not() of the basic operation says.
@@ -144,12 +145,12 @@ struct AtomicChoice {
 //   V is a v5   move-v5 towards each neighbour, 2 flips and 2 splits each
 //   V is a v4   generate-3355 by each flip that changes l(V), 16
 //   V is one of an adjacent 3-5 pair: the pair's six steps, each as move-35 or as the removal that it is
-//   any V       raise for each face (both faces of a v2 make the same mesh); lower for each pair of edges that have others
-//               between them on both sides, where V keeps the part of lower valence
+//   any V       raise for each face (both faces of a v2 make the same mesh); lower for each pair of edges that have
+//               others between them on both sides, where V keeps the part of lower valence
 // A boundary vertex has none. If a feature keeps one of two vertices from being removed, the other one is removed.
 std::vector<AtomicChoice> atomic_operations(const Editor& editor, VertexId v);
-// The operations that lie along the edge V -> W. Those of pairs and generate-3355 may lie along W -> V too. Raise is by the
-// faces on both hands, lower by all paths W - V - Z with edges on both sides, on the left hand. Precondition: V is
+// The operations that lie along the edge V -> W. Those of pairs and generate-3355 may lie along W -> V too. Raise is by
+// the faces on both hands, lower by all paths W - V - Z with edges on both sides, on the left hand. Precondition: V is
 // interior.
 std::vector<AtomicChoice> atomic_operations(const Editor& editor, HalfEdgeId along);
 

@@ -147,8 +147,8 @@ PairStep step_for(int valence, Delta delta) {
   return (delta.d2 < 0) == three ? PairStep::slide_first : PairStep::slide_second;
 }
 
-// Moves the pair again and again, each time by what `choose` says of its frame, until it says nothing. Makes all moves or
-// none.
+// Moves the pair again and again, each time by what `choose` says of its frame, until it says nothing. Makes all moves
+// or none.
 template <class Choose>
 PairResult move_repeatedly(Editor& editor, PairFrame frame, Choose&& choose) {
   const int valence = editor.mesh().face_valence(frame.v1);

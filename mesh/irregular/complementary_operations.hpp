@@ -1,7 +1,8 @@
 // The complementary operations of section 8: cancel, merge, align, and changes of type.
 //
-// A cancellation transports adjacent 3-5 pairs from one irregular vertex to another (transport.hpp). Merging and aligning
-// make pair moves (pair_moves.hpp). An operation that cannot be finished leaves the mesh as it was and says why.
+// A cancellation transports adjacent 3-5 pairs from one irregular vertex to another (transport.hpp). Merging and
+// aligning make pair moves (pair_moves.hpp). An operation that cannot be finished leaves the mesh as it was and says
+// why.
 #pragma once
 
 #include <array>
@@ -21,21 +22,21 @@ struct Cancellation {
   std::vector<VertexId> helpers;  // where the helpers are now that are still irregular
 };
 
-// Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 walks to the v5 along a shortest
-// path. Each of its steps leaves an adjacent pair behind, which one of the helpers absorbs; that helper moves by an edge
-// each time. The last adjacent pair is made of the v3 and the v5 themselves. The helpers, at least one, are the third
-// vertices of section 8. A helper that becomes regular drops out (a 3-3-5-5 removal).
+// Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 walks to the v5 along a
+// shortest path. Each of its steps leaves an adjacent pair behind, which one of the helpers absorbs; that helper moves
+// by an edge each time. The last adjacent pair is made of the v3 and the v5 themselves. The helpers, at least one, are
+// the third vertices of section 8. A helper that becomes regular drops out (a 3-3-5-5 removal).
 //
 // A fixed vertex counts as a v3 or v5 by the excess of one of its sectors (sectors.hpp).
 //
-// Refusals: wrong_valences; index if both irregularities have one sign, which cannot cancel each other; lone_pair without
-// helpers; no_path if the v3 cannot reach the v5 or no helper can be reached. Costs as many transports as the distance of
-// the pair.
+// Refusals: wrong_valences; index if both irregularities have one sign, which cannot cancel each other; lone_pair
+// without helpers; no_path if the v3 cannot reach the v5 or no helper can be reached. Costs as many transports as the
+// distance of the pair.
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers);
 
-// The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only at
-// vertices that may change, no further than it must, and not beyond fixed ones.
+// The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only
+// at vertices that may change, no further than it must, and not beyond fixed ones.
 template <class Wanted>
 std::vector<VertexId> nearest(const Editor& editor, BreadthFirstDistances& surroundings, VertexId from, int most,
                               Wanted&& wanted) {
@@ -59,13 +60,13 @@ struct PairResult {
 // Merges a 3-3 pair into a v2, or a 5-5 pair into a v6, by pair moves. Refusals: wrong_valences, odd_distance,
 // no_rectangle if the pair spans no rectangle, or that of the move that was refused.
 PairResult merge_pair(Editor& editor, VertexId v1, VertexId v2);
-// Moves a 3-3 or 5-5 pair until d1 or d2 is 0. Takes the way that needs the fewest moves, and of those that need equally
-// many first the one that changes the fewest faces.
+// Moves a 3-3 or 5-5 pair until d1 or d2 is 0. Takes the way that needs the fewest moves, and of those that need
+// equally many first the one that changes the fewest faces.
 PairResult align_pair(Editor& editor, VertexId v1, VertexId v2);
 
-// Parts a vertex of valence 2, or of more than 5, by one operation into vertices nearer to regular (Figure 5): a v2 by a
-// collapse, a higher one by a split that leaves edges on both sides as evenly as it can. Refusals: wrong_valences, or those
-// of the operation if all of them are refused.
+// Parts a vertex of valence 2, or of more than 5, by one operation into vertices nearer to regular (Figure 5): a v2 by
+// a collapse, a higher one by a split that leaves edges on both sides as evenly as it can. Refusals: wrong_valences, or
+// those of the operation if all of them are refused.
 Refusal part_vertex(Editor& editor, VertexId v);
 // Parts until every free vertex has valence 3, 4 or 5. Returns the number of operations that were performed.
 int part_all(Editor& editor);

@@ -1,4 +1,5 @@
-// The transport of an adjacent 3-5 pair by given steps: how pair moves carry it (transport.hpp has the one that searches).
+// The transport of an adjacent 3-5 pair by given steps: how pair moves carry it (transport.hpp has the one that
+// searches).
 //
 // Internal to pair_moves.cpp: not installed.
 #pragma once
@@ -15,8 +16,8 @@ namespace requad::mesh {
 // caller rolls the log back.
 //
 // What may be irregular on the way are the pair that moves, the vertices that the first operation changes, and the
-// adjacent pair. Any other vertex that a step changes is regular before the adjacent pair comes and after it has left (Law
-// irregular-1 in transport.hpp). So this is all there is to keep in mind, and to look at in the end.
+// adjacent pair. Any other vertex that a step changes is regular before the adjacent pair comes and after it has left
+// (Law irregular-1 in transport.hpp). So this is all there is to keep in mind, and to look at in the end.
 class DirectTransport {
  public:
   DirectTransport(OperationLog& log, const PairFrame& pair);
@@ -38,8 +39,8 @@ class DirectTransport {
   void split(Hand hand, int times = 1, int turn = 2);
   void collapse(Hand hand, int times = 1);
   void flip(Hand hand, int times = 1);
-  // A first operation that is no step of an adjacent pair. Refused if it changes a valence on the boundary, or that of an
-  // irregular vertex other than the pair.
+  // A first operation that is no step of an adjacent pair. Refused if it changes a valence on the boundary, or that of
+  // an irregular vertex other than the pair.
   void run(const BasicOperation& op);
 
   // Refuses unless all that changed is regular, but for the pair itself.

@@ -2,8 +2,8 @@
 //
 // Terms (section 7)
 //   R_alpha    the regular grid of which v1 and v2 are opposite corners (Lemma 7.8). It is a segment if d1 or d2 is 0.
-//   leg        a separatrix that runs along R_alpha. Each of the two vertices has two legs. The first leg comes before the
-//              second one counter-clockwise, and R_alpha lies between them.
+//   leg        a separatrix that runs along R_alpha. Each of the two vertices has two legs. The first leg comes before
+//              the second one counter-clockwise, and R_alpha lies between them.
 //   outward    every other separatrix. Those of v1 follow its second leg counter-clockwise.
 //   d1, d2     the extents of R_alpha: d1 along the second leg of v1, d2 along its first leg. They are the d1 and d2 of
 //              the paper's side-length equations, with sides and outward separatrices numbered counter-clockwise.
@@ -14,8 +14,8 @@
 //                     d2                    second leg of v2: v2 -> x, length d1
 //
 // A rectangle looks the same from v2: its first leg is d2 long, its second leg d1.
-// A segment of length d has two frames: (d1, d2) = (0, d), where it is the first leg, and (d, 0), where it is the second.
-// (0, 0) with v1 = v2 is the merged pair.
+// A segment of length d has two frames: (d1, d2) = (0, d), where it is the first leg, and (d, 0), where it is the
+// second. (0, 0) with v1 = v2 is the merged pair.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ std::optional<HalfEdgeId> walk(const QuadMesh& mesh, HalfEdgeId h, int steps);
 std::optional<PairFrame> frame_at(const QuadMesh& mesh, HalfEdgeId first_leg, int d1, int d2);
 
 // All frames of the pair, seen from v1: one for a rectangle, two for a segment, none if the separatrices of v1 and v2
-// span no rectangle. More than one rectangle can occur only outside convex regions. Precondition: v1 and v2 are interior
-// and of valence >= 3. O(length of the separatrices of v1 and v2).
+// span no rectangle. More than one rectangle can occur only outside convex regions. Precondition: v1 and v2 are
+// interior and of valence >= 3. O(length of the separatrices of v1 and v2).
 std::vector<PairFrame> find_frames(const QuadMesh& mesh, VertexId v1, VertexId v2);
 
 // The same rectangle seen from v2. O(d1 + d2).
@@ -68,8 +68,8 @@ std::vector<HalfEdgeId> outward_of_both(const QuadMesh& mesh, const PairFrame& f
 std::vector<HalfEdgeId> path_between(const QuadMesh& mesh, const PairFrame& frame);
 // The closed path round R_alpha, counter-clockwise from v1. A segment is walked there and back. O(d1 + d2).
 std::vector<HalfEdgeId> rim(const QuadMesh& mesh, const PairFrame& frame);
-// The faces of R_alpha, row by row along the first leg; none for a segment. Nothing if R_alpha is not as Lemma 7.8 says:
-// a face is missing, or a vertex other than v1 and v2 is irregular or on the boundary. O(d1 d2 + d1 + d2).
+// The faces of R_alpha, row by row along the first leg; none for a segment. Nothing if R_alpha is not as Lemma 7.8
+// says: a face is missing, or a vertex other than v1 and v2 is irregular or on the boundary. O(d1 d2 + d1 + d2).
 std::optional<std::vector<FaceId>> grid(const QuadMesh& mesh, const PairFrame& frame);
 // The faces that have a corner on R_alpha, those of R_alpha included: the smallest convex region that holds the pair
 // (Lemma 7.8). In the order of their ids. Precondition: grid() is there, or the pair is merged. O(d1 d2 log(d1 d2)).

@@ -111,7 +111,8 @@ Ends open(DirectTransport& transport, const PairFrame& frame) {
   const VertexId p = transport.v3();
   transport.split(Hand::right, frame.d2);
   transport.split(Hand::left, frame.d1);
-  // A v5 that the adjacent pair's v5 has reached is a v6. Split evenly it becomes regular, and the far end of the path is q.
+  // A v5 that the adjacent pair's v5 has reached is a v6. Split evenly it becomes regular, and the far end of the path
+  // is q.
   if (to_v5) transport.split(Hand::left, 1, 3);
   return {p, to_v5 ? transport.v5() : transport.v3()};
 }

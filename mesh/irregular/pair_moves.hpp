@@ -1,11 +1,11 @@
 // The three pair-wise movement operations of section 6 (3-3, 5-5, 3-5), as one mechanism.
 //
-// How a move works. A move starts at one vertex p of the pair and ends at the other, q. Its first basic operation moves p
-// by one edge and leaves an adjacent 3-5 pair behind. Each further operation transports this adjacent pair by one face or
-// edge. The last one lets it collide with q, which moves by one edge. Seen along the adjacent pair, from its v3 to its
-// v5, there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is the same
-// operation with p in the role of the adjacent pair's v3 (or v5), the last is the same with q in the role of the vertex
-// that is to change.
+// How a move works. A move starts at one vertex p of the pair and ends at the other, q. Its first basic operation moves
+// p by one edge and leaves an adjacent 3-5 pair behind. Each further operation transports this adjacent pair by one
+// face or edge. The last one lets it collide with q, which moves by one edge. Seen along the adjacent pair, from its v3
+// to its v5, there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is
+// the same operation with p in the role of the adjacent pair's v3 (or v5), the last is the same with q in the role of
+// the vertex that is to change.
 //
 // The four steps. Two slides transport the adjacent pair along R_alpha on one hand: forward by splits, sideways by
 // collapses, and diagonally by flips, each of which saves a split and a collapse. Two more, open and close, use only
@@ -18,8 +18,8 @@
 //   close                 (+1, +1)                    (-1, -1)      the side of v2's outward separatrix
 //
 // Law irregular-11 (faces, claim P3). Let c be -1, +1, 0 for a 3-3, 5-5, 3-5 pair. The mesh gains d2 - d1 + c faces by
-// slide_first, d1 - d2 + c by slide_second and d1 + d2 + c by open; it loses d1 + d2 - c by close. This is the length of
-// the connecting path.
+// slide_first, d1 - d2 + c by slide_second and d1 + d2 + c by open; it loses d1 + d2 - c by close. This is the length
+// of the connecting path.
 //
 // Law irregular-12 (locality, claim N4). A move changes no valence outside the smallest convex region that holds the
 // pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
@@ -43,8 +43,8 @@ inline constexpr std::array<PairStep, 4> kPairSteps{PairStep::slide_first, PairS
 PairStep inverse(PairStep step);
 const char* name(PairStep step);  // "slide_first", ...
 
-// A step seen from a frame. For a 3-5 pair frame.v1 is the v5. A merged pair (a = b = 0, v1 = v2) of valence 6 opens along
-// first_leg and the edge opposite it; one of valence 2 closes (its only step, too) the face on first_leg's left.
+// A step seen from a frame. For a 3-5 pair frame.v1 is the v5. A merged pair (d1 = d2 = 0, v1 = v2) of valence 6 opens
+// along first_leg and the edge opposite it; one of valence 2 closes (its only step, too) the face on first_leg's left.
 struct PairMove {
   PairFrame frame;
   PairStep step = PairStep::slide_first;
@@ -66,16 +66,16 @@ struct MoveReport {
   int faces_deleted() const;  // one for each collapse
 };
 
-// Makes the move, by checked basic operations only. If one is refused, all are taken back: the mesh is as before, arrays
-// and free lists included, and the report holds the reason and nothing else.
+// Makes the move, by checked basic operations only. If one is refused, all are taken back: the mesh is as before,
+// arrays and free lists included, and the report holds the reason and nothing else.
 MoveReport move_pair(OperationLog& log, const PairMove& move);
 MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
 // The reason that move_pair() would give. Makes the move and takes it back, which leaves an equal mesh. O(d1 + d2).
 Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move);
 
 // Makes one move after another on one mesh, for long walks. It performs the operations of move_pair(), each of them
-// checked, but writes no report and does not look where R_alpha lies afterwards. It allocates nothing once it has made its
-// longest move, if the mesh has room (QuadMesh::reserve).
+// checked, but writes no report and does not look where R_alpha lies afterwards. It allocates nothing once it has made
+// its longest move, if the mesh has room (QuadMesh::reserve).
 class PairMover {
  public:
   // The mesh must outlive it.

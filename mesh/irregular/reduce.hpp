@@ -1,15 +1,15 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
-// Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its neighbourhood
-// is smoothed. A candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers.
-// The cost of a candidate is measured by making it, smoothing included, and taking it back. Costs are kept in a priority
-// queue. After each cancellation, only the candidates round the vertices that moved are made anew. A candidate whose
-// neighbourhood may have changed is measured again when its turn comes.
+// Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its
+// neighbourhood is smoothed. A candidate is a pair of near vertices of opposite index, with the nearest irregular
+// vertices as helpers. The cost of a candidate is measured by making it, smoothing included, and taking it back. Costs
+// are kept in a priority queue. After each cancellation, only the candidates round the vertices that moved are made
+// anew. A candidate whose neighbourhood may have changed is measured again when its turn comes.
 //
 // Law irregular-31. After every cancellation the mesh is valid, and every cut edge (sectors.hpp) is in its place.
-// Law irregular-32. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the reduction ends, at
-//         the latest when the excesses of each patch have one sign. Discrete Gauss-Bonnet leaves nothing to cancel there:
-//         without features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
+// Law irregular-32. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the reduction
+//         ends, at the latest when the excesses of each patch have one sign. Discrete Gauss-Bonnet leaves nothing to
+//         cancel there: without features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
 // Law irregular-33. The result depends on nothing but the mesh and the options.
 //
 // Costs: for each candidate, the length of its transports and the area that is smoothed. Only the start depends on the

@@ -50,16 +50,16 @@ std::string to_string(const Obstacles& obstacles) {
 
 namespace {
 
-// What landing on a vertex does. It is regular and becomes an end of the pair; or it is a target that absorbs the pair; or
-// it is a target that must be crossed: a v5 that the pair makes a v6, or a v3 that it makes a v2.
+// What landing on a vertex does. It is regular and becomes an end of the pair; or it is a target that absorbs the pair;
+// or it is a target that must be crossed: a v5 that the pair makes a v6, or a v3 that it makes a v2.
 enum class Landing { refused, regular, absorbed, crossed };
 
 }  // namespace
 
 // Measures from the targets over vertices on which a pair can land, until both ends of the start have been met and a
-// little further, so that small detours are measured too. A pair crosses no feature, so distances end there. A target on
-// a feature may have no edge inside its patch, but a split beside it lets it absorb a pair all the same (Figure 18). There
-// the corners of its sector count as the target.
+// little further, so that small detours are measured too. A pair crosses no feature, so distances end there. A target
+// on a feature may have no edge inside its patch, but a split beside it lets it absorb a pair all the same (Figure 18).
+// There the corners of its sector count as the target.
 void PairTransport::measure_distances(std::span<const VertexId> targets, AdjacentPair start) {
   constexpr int kMargin = 2;
   const QuadMesh& m = editor_.mesh();
@@ -144,8 +144,8 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
     if (at_u == Landing::refused || at_v == Landing::refused || planned.next_u == planned.next_v) continue;
     if (takes && (at_u != Landing::regular || at_v != Landing::regular)) continue;
     if (collapses && sectors.is_cut(planned.first)) planned.next = planned.beside;
-    // The vertices that exist keep their ids, so that distances and targets stay what they are. Only a collapse at a fixed
-    // u takes a regular vertex into it, and u is then the next v.
+    // The vertices that exist keep their ids, so that distances and targets stay what they are. Only a collapse at a
+    // fixed u takes a regular vertex into it, and u is then the next v.
     if (collapses && keeps_u) {
       if (at_v != Landing::regular || sectors.is_fixed(planned.next_v)) continue;
       planned.next_v = u;

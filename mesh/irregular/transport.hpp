@@ -1,8 +1,8 @@
 // The transport of an adjacent 3-5 pair (sections 5 and 6).
 //
 // An irregular vertex that moves by one edge leaves an adjacent 3-5 pair behind. This pair can be transported to any
-// other irregular vertex. There it is absorbed, and that vertex moves by an edge too. So every operation of the paper on
-// two or more irregular vertices is a sequence of such transports.
+// other irregular vertex. There it is absorbed, and that vertex moves by an edge too. So every operation of the paper
+// on two or more irregular vertices is a sequence of such transports.
 //
 // An adjacent pair is written u -> v, from its v3 to its v5. More generally u -> v means "u has one edge less and v one
 // edge more than without the pair", whatever valences they have without it. This covers both ends of a transport:
@@ -10,7 +10,7 @@
 //   sent from a v5 at v      u -> v, where u is regular. Without the pair, the v5 would be at u.
 //   absorbed by a v3 at v    v becomes regular, and u is the v3. (A v2 becomes a v3 beside another.)
 //   absorbed by a v5 at u    u becomes regular, and v is the v5. (A v6 becomes a v5 beside another, and so on.)
-//   absorbed by a v5 at v    v becomes a v6, which the next split parts evenly. The far end of the split's path is the v5.
+//   absorbed by a v5 at v    v becomes a v6, which the next split parts evenly. The far end of its path is the v5.
 //   absorbed by a v3 at u    u becomes a v2, which the next collapse takes in. The face's last corner is the v3.
 // An adjacent 3-5 pair of the mesh is such a pair itself: absorbed by a third vertex, it is cancelled (section 8).
 //
@@ -27,8 +27,8 @@
 // Law irregular-2. So a transport over regular vertices leaves nothing but regular vertices behind.
 //
 // On features and boundaries, "regular" means that a sector has as many quads as it should, and a v3 or v5 is a sector
-// with one quad less or more (sectors.hpp). So a vertex that a feature holds can send and absorb pairs too, and keeps its
-// place and its id. An adjacent pair on a cut edge lies on one side of it.
+// with one quad less or more (sectors.hpp). So a vertex that a feature holds can send and absorb pairs too, and keeps
+// its place and its id. An adjacent pair on a cut edge lies on one side of it.
 #pragma once
 
 #include <array>
@@ -82,19 +82,19 @@ struct PlannedStep {
   BasicOperation operation;
   VertexId next_u;  // none for a split, which makes it
   VertexId next_v;
-  // Half-edges out of next_u and next_v before the operation, in the sectors that it changes; none where there is no such
-  // vertex.
+  // Half-edges out of next_u and next_v before the operation, in the sectors that it changes; none where there is no
+  // such vertex.
   HalfEdgeId at_u;
   HalfEdgeId at_v;
   AdjacentPair next;  // after the operation
-  // A collapse lays two edges on one, `first` and another. If the first one is a cut edge, the pair is then not at `next`
-  // but at `beside`, in the patch beyond the second one.
+  // A collapse lays two edges on one, `first` and another. If the first one is a cut edge, the pair is then not at
+  // `next` but at `beside`, in the patch beyond the second one.
   HalfEdgeId first;
   AdjacentPair beside;
 };
-// Plans a step. `turn` counts the edges of v from u on that hand to z (split only; 1 <= turn < l(v)). Where the boundary
-// cuts off what the step needs, its operation has no half-edge and is illegal. Precondition: the pair has a face on the
-// step's hand.
+// Plans a step. `turn` counts the edges of v from u on that hand to z (split only; 1 <= turn < l(v)). Where the
+// boundary cuts off what the step needs, its operation has no half-edge and is illegal. Precondition: the pair has a
+// face on the step's hand.
 PlannedStep plan(const QuadMesh& mesh, AdjacentPair pair, TransportStep step, int turn = 2);
 // The same step with the other choice of the vertex that keeps its id: in a collapse c in place of u, in a split the
 // other part of v. The two meshes differ by names only.
@@ -122,9 +122,9 @@ struct TransportReport {
 };
 
 // Transports adjacent pairs by shortest paths over regular vertices, round features, boundaries and irregular vertices
-// (Figure 7). Among paths of one length it prefers one that ends in a 3-3-5-5 removal. It looks ahead on the mesh itself,
-// by best-first search over sequences of checked steps, and takes back what it does not choose. It keeps its working
-// memory from one transport to the next.
+// (Figure 7). Among paths of one length it prefers one that ends in a 3-3-5-5 removal. It looks ahead on the mesh
+// itself, by best-first search over sequences of checked steps, and takes back what it does not choose. It keeps its
+// working memory from one transport to the next.
 //
 // Costs: the number of states visited times the distance between consecutive ones. This is close to the length of the
 // path where nothing is in the way. Only the memory grows with the mesh: two integers for each vertex.
@@ -132,9 +132,9 @@ class PairTransport {
  public:
   explicit PairTransport(Editor& editor) : editor_(editor) {}
 
-  // Transports the pair from `start` until one of the targets absorbs it. Of the fixed vertices it changes those that the
-  // editor's sector plan allows, of the irregular ones only the targets; it may cross one of these. On refusal the mesh is
-  // as before.
+  // Transports the pair from `start` until one of the targets absorbs it. Of the fixed vertices it changes those that
+  // the editor's sector plan allows, of the irregular ones only the targets; it may cross one of these. On refusal the
+  // mesh is as before.
   TransportReport carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross = true,
                         std::int64_t most_states = 4000);
 
