@@ -10,7 +10,7 @@ namespace requad::program {
 namespace {
 
 constexpr std::size_t kWidth = 80;
-constexpr std::size_t kWidestLeft = 24;  // of the left column
+constexpr std::size_t kWidestLeft = 24;  // what is longer has a line of its own
 
 std::string blanks(std::size_t count) { return std::string(count, ' '); }
 
@@ -46,7 +46,10 @@ std::string left_column(const Option& option) {
 
 std::string options_text(const std::vector<Option>& options) {
   std::size_t width = 0;
-  for (const Option& option : options) width = std::max(width, std::min(left_column(option).size(), kWidestLeft));
+  for (const Option& option : options) {
+    const std::size_t size = left_column(option).size();
+    if (size <= kWidestLeft) width = std::max(width, size);
+  }
   const std::size_t indent = width + 4;
   std::string text;
   for (const Option& option : options) {
