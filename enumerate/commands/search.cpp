@@ -63,7 +63,7 @@ std::string text_of(const CountedSearch& found) {
   return text + lines_of(found.signatures);
 }
 
-int search(const Options& options) {
+int run_search(const Options& options) {
   if (options.has("sides") == options.has("interior-quads"))
     throw UsageError("search: expected either --sides or --interior-quads");
   SearchProblem problem{{}, irregular_valences(options)};
@@ -109,7 +109,7 @@ exactly the valences of --irregular. With --irregular '' it is a regular grid.
                    "requad-enumerate search --sides 10,10,10 --irregular 3,3,5 --journal run.journal --limit-seconds "
                    "3600"},
       .options = std::move(options),
-      .run = search,
+      .run = run_search,
   };
 }
 

@@ -72,8 +72,8 @@ program::Command signature_command() {
       .name = "signature",
       .usage = {"FILE", "--from-signature TEXT"},
       .summary = "prints the canonical signature of a mesh, or checks a signature and draws its region",
-      .text = R"(FILE is an OBJ or OFF file. Two files print the same line exactly if their meshes
-are isomorphic. A mesh and its mirror image have one signature.
+      .text = R"(FILE is an OBJ or OFF file. Two files give the same line if and only if their
+meshes are isomorphic. A mesh and its mirror image have one signature.
 )",
       .examples = {"requad-enumerate signature mesh/examples/figure-17.obj",
                    "requad-enumerate signature --from-signature 1111f13e3934"},

@@ -135,8 +135,8 @@ program::Command pictures_command() {
       .summary = "writes figures into a folder",
       .text = R"(Figures:
   2 3 4 5 6 7 8   operations before and after
-  10              3-3 pairs in regular digons of side L and L-1, the mesh of each
-                  configuration at its node
+  10              3-3 pairs in regular digons of side L and L-1; each node shows
+                  the mesh of its configuration
   11              5-5 pairs in regular hexagons of side L and L-1, as half cubes
   12              a 3-5 pair in a region, as a grid
   13 14           turns, smallest regions, separatrices, strips and sides

@@ -14,25 +14,25 @@ constexpr std::size_t kWidestLeft = 24;  // what is longer has a line of its own
 
 std::string blanks(std::size_t count) { return std::string(count, ' '); }
 
-// The text in lines that end before kWidth, each after `indent` blanks. A line of the text that starts with blanks keeps
-// them on every line that it is broken into.
+// The text in lines of at most kWidth characters, each after `indent` blanks. A line of the text that starts with blanks
+// is an entry of a list, "  name  meaning": what it is broken into starts below the meaning, or below the name if there
+// is no meaning.
 std::vector<std::string> wrapped(const std::string& text, std::size_t indent) {
   std::vector<std::string> lines;
-  std::istringstream paragraphs(text);
-  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
-    const std::string margin = blanks(indent + std::min(paragraph.find_first_not_of(' '), paragraph.size()));
-    std::istringstream words(paragraph);
-    std::string line = margin;
-    for (std::string word; words >> word;) {
-      const bool is_first = line.size() == margin.size();
-      if (!is_first && line.size() + 1 + word.size() > kWidth) {
-        lines.push_back(line);
-        line = margin + word;
-      } else {
-        line += (is_first ? "" : " ") + word;
-      }
+  std::istringstream in(text);
+  for (std::string entry; std::getline(in, entry);) {
+    std::size_t hanging = std::min(entry.find_first_not_of(' '), entry.size());
+    if (const std::size_t gap = entry.find("  ", hanging); hanging > 0 && gap != std::string::npos)
+      hanging = entry.find_first_not_of(' ', gap);
+    std::string rest = blanks(indent) + entry;
+    const std::string margin = blanks(indent + hanging);
+    while (rest.size() > kWidth) {
+      const std::size_t space = rest.rfind(' ', kWidth);
+      if (space == std::string::npos || space < margin.size()) break;  // one word is wider than a line
+      lines.push_back(rest.substr(0, space));
+      rest = margin + rest.substr(space + 1);
     }
-    lines.push_back(line);
+    lines.push_back(rest);
   }
   return lines;
 }
@@ -82,6 +82,15 @@ std::string examples_text(const std::vector<std::string>& examples) {
   return text;
 }
 
+// A sentence, broken into lines.
+std::string sentence(const std::string& text) {
+  std::string broken;
+  for (const std::string& line : wrapped(text, 0)) broken += line + "\n";
+  return broken;
+}
+
+std::string exit_codes_text(const Program& program) { return sentence("Exit code: " + program.exit_codes); }
+
 // A paragraph, if there is one.
 std::string paragraph(const std::string& text) { return text.empty() ? "" : "\n" + text; }
 
@@ -92,7 +101,7 @@ std::string own_text(const Command& command) {
 }  // namespace
 
 std::string program_help(const Program& program) {
-  std::string text = program.name + ": " + program.summary + "\n";
+  std::string text = sentence(program.name + ": " + program.summary);
   std::string commands;
   std::vector<std::string> examples;
   for (const Command& command : program.commands) {
@@ -105,10 +114,9 @@ std::string program_help(const Program& program) {
       if (!command.examples.empty()) examples.push_back(command.examples.front());
     }
   }
-  text += "\nCommands:\n" + commands + "Options stand anywhere; `" + program.name +
-          " COMMAND --help` explains those of a command.\n";
-  return text + paragraph(program.text) + "\nCommon options:\n" + options_text(common_options()) +
-         "\nExit code: " + program.exit_codes + "\n" + examples_text(examples);
+  text += "\nCommands:\n" + commands + "`" + program.name + " COMMAND --help` explains a command and its options.\n";
+  return text + paragraph(program.text) + "\nCommon options:\n" + options_text(common_options()) + "\n" +
+         exit_codes_text(program) + examples_text(examples);
 }
 
 std::string command_help(const Program& program, const Command& command) {
@@ -117,9 +125,10 @@ std::string command_help(const Program& program, const Command& command) {
     const std::string argument = option.argument.empty() ? "" : " " + option.argument;
     common += (common.empty() ? "--" : "  --") + option.long_name() + argument;
   }
-  return program.name + (command.name.empty() ? "" : " " + command.name) + ": " + command.summary + "\n\nUsage:\n" +
-         usage_text(program, command) + own_text(command) + paragraph(program.text) + "\nCommon options: " + common +
-         "\nExit code: " + program.exit_codes + "\n" + examples_text(command.examples);
+  const std::string title = program.name + (command.name.empty() ? "" : " " + command.name);
+  return sentence(title + ": " + command.summary) + "\nUsage:\n" + usage_text(program, command) + own_text(command) +
+         paragraph(program.text) + "\nCommon options: " + common + "\n" + exit_codes_text(program) +
+         examples_text(command.examples);
 }
 
 }  // namespace requad::program

@@ -48,7 +48,7 @@ const std::vector<Option>& common_options() {
       output("json", "FILE|-", "write the result as JSON, to a file or to standard output"),
       value("threads", "N", "use N threads (default: as many as there are cores)"),
       flag("quiet,q", "print no result as text and no progress"),
-      flag("help,h", "print this help, or after the name of a command the help of that command"),
+      flag("help,h", "print this help; after the name of a command, the help of that command"),
       flag("version", "print the version"),
   };
   return options;

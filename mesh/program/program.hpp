@@ -39,7 +39,7 @@ struct Program {
   std::string name;  // "requad-edit"
   std::string version;
   std::string summary;     // one line: what the program does
-  std::string exit_codes;  // their meaning, at most 80 columns wide
+  std::string exit_codes;  // their meaning, in one sentence
   std::string text;        // prose for the help of the program and of each command, at most 80 columns wide
   std::vector<Command> commands;
 };

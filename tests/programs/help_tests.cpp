@@ -136,7 +136,9 @@ TEST_CASE("a command's help is laid out from its table", "[programs]") {
               program::flag("soft", "stop early"),
               program::value("minutes,m", "N",
                              "how long; an egg that is boiled for a very long time is hard to eat "
-                             "and to digest, and takes energy\n  4  soft\n  10  hard"),
+                             "and to digest, and takes energy\n"
+                             "  4   soft\n"
+                             "  10  hard, and this entry goes on below its own first word"),
               program::output("a-rather-long-name", "FILE", "where it goes"),
           },
       .words = {1, 1},
@@ -154,8 +156,9 @@ Options:
   --soft           stop early
   -m, --minutes N  how long; an egg that is boiled for a very long time is hard
                    to eat and to digest, and takes energy
-                     4  soft
-                     10  hard
+                     4   soft
+                     10  hard, and this entry goes on below its own first
+                         word
   --a-rather-long-name FILE
                    where it goes
 

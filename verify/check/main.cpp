@@ -383,11 +383,11 @@ int main(int argc, char** argv) {
 Usage:
   requad-verify-check DIR
 
-DIR is a folder that `requad-verify --certificate DIR` wrote. This program shares
-no code with requad-verify. `requad-verify check DIR` starts it.
+DIR is a folder that `requad-verify --certificate DIR` wrote. This program has no
+code in common with requad-verify. `requad-verify check DIR` starts it.
 
-Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one can not
-be read, or memory ran out
+Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one can
+not be read, or memory ran out
 
 Examples:
   requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify-check proof

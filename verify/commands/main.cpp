@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
           .name = "requad-verify",
           .version = REQUAD_VERSION,
           .summary = "checks the claims of \"Connectivity Editing for Quadrilateral Meshes\" by computer",
-          .exit_codes = "0 all claims hold, 1 one fails, 2 bad arguments, 3 undecided: a claim had no\n"
-                        "instance in these ranges",
+          .exit_codes =
+              "0 all claims hold, 1 one fails, 2 bad arguments, 3 undecided: a claim had no instance in these ranges",
           .text = "",
           .commands = {campaign_command(processes), check_command(processes, argv[0])},
       });
