@@ -44,7 +44,7 @@ const std::vector<Sample>& samples() {
 
 // The mesh in a file, rooted at a corner.
 mesh::Region region_in(const std::string& file) {
-  mesh::Region region{mesh::read_surface((scratch() / file).string()).mesh, {}};
+  mesh::Region region{mesh::read_surface((scratch() / file).string(), false).mesh, {}};
   for (const mesh::HalfEdgeId h : region.mesh.half_edges()) {
     if (region.mesh.is_boundary(h) && mesh::turn(region.mesh, region.mesh.origin(h)) == 1) region.root = h;
   }
