@@ -141,7 +141,8 @@ int make(Session& session, const Site& site, const std::string& wanted) {
 int atomic(const Options& options) {
   Session session(options, "atomic");
   const Site site = site_of(session);
-  if (session.mesh().is_boundary(site.v)) return session.refused(session.describe(site.v), EditRefusal::touches_boundary);
+  if (session.mesh().is_boundary(site.v))
+    return session.refused(session.describe(site.v), EditRefusal::touches_boundary);
   return options.has("make") ? make(session, site, options.text("make")) : list(session, site);
 }
 
