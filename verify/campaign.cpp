@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "mesh/program/errors.hpp"
+#include "mesh/program/progress.hpp"
 #include "mesh/threads/threads.hpp"
 #include "verify/claims/judging.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/program/program.hpp"
+#include "mesh/program/numbers.hpp"
 #include "theory/proofs/proofs.hpp"
 #include "verify/case_result.hpp"
 #include "verify/journal.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "mesh/program/journal_file.hpp"
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
 #include "verify/claims/judging.hpp"
 
 namespace requad::verify {

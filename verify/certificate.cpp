@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <map>
 
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
+#include "mesh/program/outputs.hpp"
+#include "mesh/program/progress.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::verify {

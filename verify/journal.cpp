@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
 
 namespace requad::verify {
 

@@ -1,48 +1,67 @@
-#include "figures/commands/explorer_command.hpp"
+// requad-figures --explorer: one HTML file in which the configurations of a region can be walked through.
 
 #include <algorithm>
 #include <utility>
 
+#include "figures/commands/commands.hpp"
 #include "figures/explorer/explorer.hpp"
 
 namespace requad::figures {
 
+namespace {
+
+using nlohmann::ordered_json;
 using program::UsageError;
 
-int explorer_command(const program::Options& options) {
-  options.allow_only("--explorer", {"explorer", "sides", "pair", "output"});
-  if (!options.has("pair")) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
-  if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 6,6");
-  const auto type = theory::pair_type(options.text("pair"));
-  if (!type) throw UsageError("--pair: '" + options.text("pair") + "' is not one of 3-3, 5-5, 3-5");
-  const theory::IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
+int explorer(const program::Options& options) {
+  const std::string pair = options.required("pair", "3-3, 5-5 or 3-5");
+  const auto type = theory::pair_type(pair);
+  if (!type) throw UsageError("--pair: '" + pair + "' is not one of 3-3, 5-5, 3-5");
+  const theory::IntegerVector sides = theory::to_vector(
+      program::parse_integers(options.required("sides", "side lengths as in --sides 6,6"), "--sides"));
   if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
   const std::string path = options.text("output", "explorer.html");
-  options.require_outputs({"json", "output"});
   program::require_writable(path);
 
   const enumerate::Exploration found = enumerate::explore_all(*type, sides, theory::Apex::with);
-  const nlohmann::ordered_json data = explorer_data(found, sides);
+  const ordered_json data = explorer_data(found, sides);
   const std::string page = explorer_page(data);
 
   const auto& claims = data["claims"];
   const auto held = std::count_if(claims.begin(), claims.end(),
                                   [](const auto& claim) { return claim["holds"].template get<bool>(); });
-  const nlohmann::ordered_json summary{{"file", path},
-                                       {"bytes", page.size()},
-                                       {"configurations", data["nodes"].size()},
-                                       {"moves", data["moves"].size()},
-                                       {"claims", claims}};
   const auto nodes = data["nodes"].size();
-  const std::string text =
-      path + ": " + std::to_string(nodes) + (nodes == 1 ? " configuration, " : " configurations, ") +
-      std::to_string(data["moves"].size()) + " moves, " + std::to_string(held) + " of " +
-      std::to_string(claims.size()) + " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
+  const auto moves = data["moves"].size();
+  const ordered_json summary{
+      {"file", path}, {"bytes", page.size()}, {"configurations", nodes}, {"moves", moves}, {"claims", claims}};
+  const std::string text = path + ": " + std::to_string(nodes) +
+                           (nodes == 1 ? " configuration, " : " configurations, ") + std::to_string(moves) +
+                           " moves, " + std::to_string(held) + " of " + std::to_string(claims.size()) +
+                           " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
   program::Outputs outputs;
   outputs.add(path, page);
   program::finish(options, summary.dump(), text, std::move(outputs));
   return static_cast<std::size_t>(held) == claims.size() ? program::kDone : program::kCheckFailed;
+}
+
+}  // namespace
+
+program::Command explorer_command() {
+  return {
+      .name = "--explorer",
+      .usage = {"--sides S1,S2,... --pair 3-3|5-5|3-5"},
+      .summary = "writes one HTML file in which the configurations of a region and their moves can be walked through",
+      .text = "The file needs no server and no network. The region may have 150 configurations.\n",
+      .examples = {"requad-figures --explorer --sides 6,6,6,6,6,6 --pair 5-5 -o explorer.html"},
+      .options =
+          {
+              program::value("sides", "S1,S2,...", "the lengths of the region's sides, counter-clockwise"),
+              program::value("pair", "3-3|5-5|3-5", "the valences of the pair"),
+              program::output("output,o", "FILE", "the HTML file to write, or - (default explorer.html)"),
+          },
+      .run = explorer,
+  };
 }
 
 }  // namespace requad::figures

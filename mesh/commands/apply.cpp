@@ -1,5 +1,6 @@
-// requad-edit apply: replays the edits of a script, or undoes them.
+// requad-edit apply: makes the edits of a script, or undoes them.
 
+#include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/text_scanner.hpp"
@@ -9,13 +10,11 @@ namespace requad::edit {
 namespace {
 
 using program::Options;
-using program::UsageError;
 
 int apply(const Options& options) {
   output_path(options, "apply");
   const auto& words = options.words();
-  if (words.size() != 2) throw UsageError("apply: expected a mesh file and a script; see --help");
-  wants_features(options);
+  wants_features(options);  // throws before a file is read
   const bool undo = options.has("undo");
   mesh::Script script = mesh::parse_script(mesh::read_text(words[1]), words[1]);
   mesh::Surface input = mesh::read_surface(words[0], options.has("subdivide"));
@@ -34,28 +33,38 @@ int apply(const Options& options) {
 
 }  // namespace
 
-Command apply_command() {
+program::Command apply_command() {
+  std::vector<program::Option> options{
+      output_option(),
+      program::flag("undo", "undo the edits: IN is what the command wrote, OUT what it read"),
+      program::output("map", "FILE", "write where each vertex and face is now, as JSON"),
+  };
+  for (program::Option& option : input_options()) options.push_back(std::move(option));
   return {
-      "apply",
-      "  requad-edit apply IN SCRIPT -o OUT [--undo] [--map FILE] [--feature-angle DEG | --features FILE]\n"
-      "      makes the edits that another command wrote by --script, with IN as that command read it: OUT is what "
-      "that\n"
-      "      wrote, to the last bit. --undo takes them back: IN is then what that wrote, and OUT what it read.\n"
-      "      A script for another mesh is refused. --map FILE, as JSON: vertices[i] is the number in OUT of vertex "
-      "i + 1\n"
-      "      of IN, null if it was removed; faces likewise; new_vertices and new_faces are the numbers in OUT of "
-      "what IN\n"
-      "      does not have, new_vertices_from and new_faces_from those in IN of what they were split from, so that "
-      "what\n"
-      "      belongs to a vertex or face can follow. All are counted from 1 in the order of the files, or with "
-      "--subdivide as `subdivide` "
-      "writes\n"
-      "      them. (Scripts count from 0.)\n"
-      "      Exit code 1: an edit would change a feature, and a line says which; then nothing is written.\n",
-      {"requad-edit reduce spot.obj -o spot8.obj --script spot8.txt --map map.json",
-       "requad-edit apply spot.obj spot8.txt -o again.obj", "requad-edit apply spot8.obj spot8.txt --undo -o back.obj"},
-      {{"subdivide", "undo"}, {"feature-angle", "features"}, {}, {"output,o", "map"}},
-      apply};
+      .name = "apply",
+      .usage = {"IN SCRIPT -o OUT"},
+      .summary = "makes the edits that another command wrote to a script (--script)",
+      .text = R"(IN must be the mesh that the other command read. OUT is then what that command
+wrote, to the last bit. A script for another mesh is refused.
+
+The map that --map writes has these keys. Everything is counted from 1 in the
+order of the files; with --subdivide in the order that `requad-edit subdivide`
+writes. (Scripts count from 0.)
+  vertices, faces  for each element of IN its number in OUT, or null if it was
+                   removed
+  new_vertices, new_faces
+                   the numbers in OUT of the elements that IN does not have
+  new_vertices_from, new_faces_from
+                   for each of these the number in IN of the element that it was
+                   split from, so that what belongs to an element can follow
+)",
+      .examples = {"requad-edit reduce mesh/examples/figure-16.obj -o less.obj --script edits.txt && "
+                   "requad-edit apply mesh/examples/figure-16.obj edits.txt -o again.obj --map map.json",
+                   "requad-edit apply less.obj edits.txt --undo -o back.obj"},
+      .options = std::move(options),
+      .words = {2, 2},
+      .run = apply,
+  };
 }
 
 }  // namespace requad::edit

@@ -1,11 +1,12 @@
-// requad-edit info: what a mesh is like.
+// requad-edit info: describes a mesh.
 
 #include <array>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/commands/command.hpp"
+#include "mesh/commands/arguments.hpp"
+#include "mesh/commands/commands.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/topology/separatrix.hpp"
 
@@ -23,7 +24,7 @@ ordered_json to_json(const std::map<int, int>& counts) {
   return json;
 }
 
-// An infinite number has no JSON and becomes null.
+// JSON has no infinite numbers; the library writes null for them.
 ordered_json to_json(const Diagnosis::Statistics& s) {
   return {{"least", s.least}, {"mean", s.mean}, {"greatest", s.greatest}};
 }
@@ -45,7 +46,7 @@ std::string to_text(const Diagnosis::Statistics& s) {
 
 int info(const Options& options) {
   const bool features = wants_features(options);
-  const mesh::Surface surface = read_input(options, "info");
+  const mesh::Surface surface = read_input(options);
   const Diagnosis d = mesh::diagnose(surface.mesh, surface.positions);
   const mesh::FeatureEdges edges = read_features(options, surface);
   const auto corners = static_cast<int>(mesh::feature_corners(surface.mesh, edges).size());
@@ -107,20 +108,24 @@ int info(const Options& options) {
 
 }  // namespace
 
-Command info_command() {
+program::Command info_command() {
+  std::vector<program::Option> options{
+      program::flag("list", "list the irregular vertices inside the mesh by their numbers in IN")};
+  for (program::Option& option : input_options()) options.push_back(std::move(option));
   return {
-      "info",
-      "  requad-edit info IN [--list] [--subdivide] [--feature-angle DEG | --features FILE]\n"
-      "      size, topology, irregular vertices and the quality of the quads; the genus of several components is "
-      "their\n"
-      "      sum; valences are those of interior vertices, a boundary vertex with q quads has turn 2 - q;\n"
-      "      --feature-angle counts the edges at which normals differ by DEG degrees or more, --features those that a\n"
-      "      file lists: two vertices in a line, or `l` lines of OBJ, counted from 1; --list names the irregular "
-      "vertices\n"
-      "      inside the mesh, by their numbers in IN\n",
-      {"requad-edit info bunny.obj", "requad-edit info triangles.off --subdivide --json -"},
-      {{"subdivide", "list"}, {"feature-angle", "features"}, {}},
-      info};
+      .name = "info",
+      .usage = {"IN"},
+      .summary = "describes a mesh: size, topology, irregular vertices, quality of the quads",
+      .text = R"(Valences are those of vertices inside the mesh. A boundary vertex with q quads
+has turn 2 - q. The genus of several components is their sum. Features are
+counted if one of the options names them.
+)",
+      .examples = {"requad-edit info mesh/examples/figure-17.obj",
+                   "requad-edit info mesh/examples/figure-17.obj --feature-angle 40 --list --json -"},
+      .options = std::move(options),
+      .words = {1, 1},
+      .run = info,
+  };
 }
 
 }  // namespace requad::edit

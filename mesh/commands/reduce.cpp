@@ -1,4 +1,4 @@
-// requad-edit reduce: fewer irregular vertices, by the cheapest cancellations first (Figure 19).
+// requad-edit reduce: leaves fewer irregular vertices, by the cheapest cancellations first (Figure 19).
 
 #include "mesh/irregular/reduce.hpp"
 
@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/geometry/hausdorff_distance.hpp"
+#include "mesh/program/progress.hpp"
 
 namespace requad::edit {
 
@@ -17,14 +19,12 @@ namespace {
 using mesh::Refusal;
 using nlohmann::ordered_json;
 using program::Options;
-using program::UsageError;
 
-// Why it ends where it ends.
+// Why the reduction ended.
 std::string ending(const mesh::ReduceReport& report, int until) {
   if (report.minimal)
     return "nothing of opposite index is left within a patch of the surface: there the sum of 4 - l(v) is fixed "
-           "(discrete "
-           "Gauss-Bonnet)";
+           "(discrete Gauss-Bonnet)";
   if (report.after <= until) return "--until is reached";
   std::string text = "what is left can not be cancelled here";
   for (const auto& [refusal, count] : report.refusals)
@@ -35,13 +35,11 @@ std::string ending(const mesh::ReduceReport& report, int until) {
 }
 
 int reduce(const Options& options) {
-  if (options.words().size() != 1) throw UsageError("reduce: expected one mesh file; see --help");
   output_path(options, "reduce");
   mesh::ReduceOptions how;
   how.until = static_cast<int>(options.integer("until", 0, 0, 1'000'000'000));
-  const std::string cost = options.text("cost", "shape");
-  if (cost != "shape" && cost != "curvature") throw UsageError("--cost: '" + cost + "' is not one of shape, curvature");
-  how.cost = cost == "shape" ? mesh::ReduceCost::shape : mesh::ReduceCost::curvature;
+  how.cost = options.choice("cost", {"shape", "curvature"}, "shape") == "shape" ? mesh::ReduceCost::shape
+                                                                                : mesh::ReduceCost::curvature;
   const double deviation = options.number("max-deviation", -1, 0, 1);
   how.smoothing_iterations = static_cast<int>(options.integer("smooth", how.smoothing_iterations, 0, 100'000));
   how.final_iterations = static_cast<int>(options.integer("final-smooth", how.final_iterations, 0, 100'000));
@@ -95,19 +93,30 @@ int reduce(const Options& options) {
 
 }  // namespace
 
-Command reduce_command() {
+program::Command reduce_command() {
   return {
-      "reduce",
-      std::string(
-          "  requad-edit reduce IN -o OUT [--until N] [--max-deviation D] [--cost shape|curvature] [--final-smooth N]\n"
-          "      cancels pairs of a v3 and a v5, the cheapest first, until N irregular vertices or none that can be\n"
-          "      cancelled are left. D: how far a face's centre may come from IN's surface, over its diagonal.\n"
-          "      Cost: the change of sum (1 - scaled Jacobian) area, or of |mean curvature| (the paper's)\n") +
-          kEditingHelp,
-      {"requad-edit reduce spot.obj -o spot8.obj", "requad-edit reduce fandisk.obj --feature-angle 40 -o less.obj",
-       "requad-edit reduce bunny.obj --until 40 --max-deviation 0.01 -o less.obj"},
-      editing_options({{}, {"until", "max-deviation", "cost", "final-smooth"}, {}}),
-      reduce};
+      .name = "reduce",
+      .usage = {"IN -o OUT"},
+      .summary = "cancels pairs of a v3 and a v5, the cheapest first",
+      .text = R"(The reduction ends when N irregular vertices are left, or none that can be
+cancelled.
+)",
+      .examples = {"requad-edit reduce mesh/examples/figure-16.obj -o less.obj",
+                   "requad-edit reduce mesh/examples/figure-17.obj --feature-angle 40 --until 8 --max-deviation 0.01 "
+                   "-o less.obj"},
+      .options = editing_options({
+          program::value("until", "N", "stop at N irregular vertices (default 0)"),
+          program::value("max-deviation", "D",
+                         "keep the centre of each face within D times the diagonal of IN from its surface"),
+          program::value("cost", "shape|curvature",
+                         "what makes a cancellation cheap (default shape): a small change of\n"
+                         "  shape      the sum of (1 - scaled Jacobian) times area\n"
+                         "  curvature  the sum of |mean curvature|, as in the paper"),
+          program::value("final-smooth", "N", "smooth the whole mesh N times at the end"),
+      }),
+      .words = {1, 1},
+      .run = reduce,
+  };
 }
 
 }  // namespace requad::edit

@@ -14,39 +14,35 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 
-const std::string kLookingHelp =
-    "      Vertices are counted from 1 in the order of IN. Features (--feature-angle DEG | --features FILE) and the\n"
-    "      boundary are kept to the last bit.\n";
-const std::string kEditingHelp =
-    kLookingHelp +
-    "      --smooth N: iterations of smoothing round what changed (4), projected on IN's surface. --script FILE: the\n"
-    "      edits as text, for `apply`. --map FILE: where each vertex and face is now (see `apply --help`).\n"
-    "      Exit code 1: the edit can not be made, and a line says why; then nothing is written.\n";
-
-program::OptionTable looking_options() { return {{"subdivide"}, {"feature-angle", "features"}, {}}; }
-
-program::OptionTable editing_options(program::OptionTable own) {
-  own.flags.emplace_back("subdivide");
-  for (const char* name : {"feature-angle", "features", "smooth"}) own.values.emplace_back(name);
-  for (const char* name : {"output,o", "script", "map"}) own.outputs.emplace_back(name);
-  return own;
+std::vector<program::Option> editing_options(std::vector<program::Option> own) {
+  std::vector<program::Option> all = std::move(own);
+  for (program::Option& option : std::vector<program::Option>{
+           output_option(),
+           program::output("script", "FILE", "write the edits as text, for `requad-edit apply`"),
+           program::output("map", "FILE",
+                           "write where each vertex and face is now, as JSON; see `requad-edit apply --help`"),
+           program::value("smooth", "N",
+                          "smooth N times around what changed, projected on the surface of IN (default 4)"),
+       })
+    all.push_back(std::move(option));
+  for (program::Option& option : input_options()) all.push_back(std::move(option));
+  return all;
 }
 
 namespace {
 
-mesh::Surface read_first(const Options& options, const std::string& command) {
-  if (options.words().empty()) throw UsageError(command + ": expected a mesh file; see --help");
-  wants_features(options);
-  return mesh::read_surface(options.words().front(), options.has("subdivide"));
+mesh::Surface read_first(const Options& options) {
+  wants_features(options);  // throws before the file is read
+  return read_input(options);
 }
 
-// In the numbers of the files, from 1.
+// The text of --map. Elements have their numbers in the files, counted from 1.
 std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
   const mesh::ElementMap map = mesh::element_map(input.mesh, editor);
-  const auto number = [](int place) { return place < 0 ? ordered_json() : ordered_json(place + 1); };
-  const auto numbers = [&number](const std::vector<int>& places) {
+  const auto number = [](int index) { return index < 0 ? ordered_json() : ordered_json(index + 1); };
+  const auto numbers = [&number](const std::vector<int>& indices) {
     ordered_json list = ordered_json::array();
-    for (const int place : places) list.push_back(number(place));
+    for (const int index : indices) list.push_back(number(index));
     return list;
   };
   ordered_json vertices = ordered_json::array(), faces = ordered_json::array();
@@ -67,8 +63,7 @@ std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
 
 }  // namespace
 
-Session::Session(const Options& options, const std::string& command)
-    : Session(options, command, read_first(options, command)) {}
+Session::Session(const Options& options, const std::string& command) : Session(options, command, read_first(options)) {}
 
 Session::Session(const Options& options, std::string command, mesh::Surface input)
     : options_(options),
@@ -107,6 +102,8 @@ std::string Session::describe(mesh::VertexId v) const {
   return std::to_string(number(v)) + " (v" + std::to_string(mesh_.valence(v)) + ")";
 }
 
+std::string Session::describe(mesh::VertexId a, mesh::VertexId b) const { return describe(a) + " and " + describe(b); }
+
 void Session::smooth_since(std::size_t mark) {
   constexpr int kRings = 2;
   mesh::SmoothingOptions how;
@@ -138,9 +135,9 @@ int Session::done(ordered_json summary, const std::string& text) {
   return program::kDone;
 }
 
-int Session::refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles) {
+int Session::refused(const std::string& subject, mesh::Refusal why, const mesh::Obstacles& obstacles) {
   const std::string met = why == mesh::EditRefusal::no_path ? to_string(obstacles) : "";
-  std::cerr << "requad-edit: " << command_ << ": " << program::one_line(wish) << ": " << why.clause()
+  std::cerr << "requad-edit: " << command_ << ": " << program::one_line(subject) << ": " << why.clause()
             << (met.empty() ? "" : "; in the way: " + met) << '\n';
   return program::kCheckFailed;
 }

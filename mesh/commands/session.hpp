@@ -1,5 +1,5 @@
-// What the editing commands share: a surface with its features and an editor, vertices by their numbers in files, local
-// smoothing, and how results are written.
+// An editing command at work: a surface with its features and an editor, vertices by their numbers in files, local
+// smoothing, and how the result is written.
 #pragma once
 
 #include <optional>
@@ -7,25 +7,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/commands/command.hpp"
+#include "mesh/commands/arguments.hpp"
 #include "mesh/editing/affected_region.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
+#include "mesh/program/program.hpp"
 
 namespace requad::edit {
 
-// The options of every command that edits, beside its own, and the lines of help on them.
-program::OptionTable editing_options(program::OptionTable own = {});
-extern const std::string kEditingHelp;
-// Those of a command that only looks.
-program::OptionTable looking_options();
-extern const std::string kLookingHelp;
+// The options of a command that edits: its own, then those that all of them have.
+std::vector<program::Option> editing_options(std::vector<program::Option> own = {});
 
 class Session {
  public:
-  // Reads the surface that the first word names. Throws like read_input().
+  // Reads the surface that the first word names. Throws as read_input() and read_features() do.
   Session(const program::Options& options, const std::string& command);
-  // Takes the surface; reads the features.
+  // Takes a surface that was read before, and reads the features.
   Session(const program::Options& options, std::string command, mesh::Surface input);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -36,24 +33,26 @@ class Session {
   const mesh::Positions& positions() const { return positions_; }
   const mesh::FeatureSet& features() const { return features_; }
   mesh::Editor& editor() { return editor_; }
-  // The input's surface.
+  // The input's surface, to project on; built when it is first asked for.
   const mesh::SurfaceIndex& surface();
 
-  // The vertex that a word names: its number in the input file, from 1. Throws UsageError.
+  // The vertex with this number in the input file, counted from 1. Throws UsageError.
   mesh::VertexId vertex(const std::string& word) const;
-  // The number that a vertex has in the mesh as it would be written now, from 1.
+  // The number that the vertex would have if the mesh were written now, counted from 1.
   int number(mesh::VertexId v) const;
-  // "12 (v3)".
+  // "12 (v3)", and "12 (v3) and 40 (v5)".
   std::string describe(mesh::VertexId v) const;
+  std::string describe(mesh::VertexId a, mesh::VertexId b) const;
 
-  // Smooths round what edits changed since the mark, unless --smooth 0 says not to.
+  // Smooths around what edits changed since the mark. --smooth gives the number of iterations.
   void smooth_since(std::size_t mark);
 
-  // The end of an edit that was made: writes --script, --map, -o and --json, all or none, and reports. `summary` gets the
-  // sizes before and after.
+  // Ends a command whose edit was made: adds the sizes before and after to the summary, writes -o, --script, --map and
+  // --json, all or none, and prints the text. Returns the exit code.
   int done(nlohmann::ordered_json summary, const std::string& text);
-  // The end of one that can not be made: one line on standard error with the reason, exit code 1, nothing written.
-  int refused(const std::string& wish, mesh::Refusal why, const mesh::Obstacles& obstacles = {});
+  // Ends a command whose edit can not be made: prints one line on standard error and writes nothing. `subject` says what
+  // was to be edited. Returns the exit code.
+  int refused(const std::string& subject, mesh::Refusal why, const mesh::Obstacles& obstacles = {});
 
  private:
   const program::Options& options_;

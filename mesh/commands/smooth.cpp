@@ -1,4 +1,4 @@
-// requad-edit smooth and subdivide: change where vertices are, or how many there are, but no connectivity.
+// requad-edit smooth: moves vertices and changes no connectivity.
 
 #include <array>
 #include <cstdio>
@@ -8,12 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mesh/commands/command.hpp"
+#include "mesh/commands/arguments.hpp"
+#include "mesh/commands/commands.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/geometry/smoothing.hpp"
+#include "mesh/program/progress.hpp"
 
 namespace requad::edit {
 
@@ -22,22 +24,19 @@ namespace {
 using mesh::Diagnosis;
 using nlohmann::ordered_json;
 using program::Options;
-using program::UsageError;
 
 int smooth(const Options& options) {
   const std::string output = output_path(options, "smooth");
   wants_features(options);
   mesh::SmoothingOptions how;
   const auto iterations = static_cast<int>(options.integer("iterations", 10, 0, 1'000'000));
-  how.iterations = 1;  // at a time, so that progress can be told
+  how.iterations = 1;  // one at a time, to show progress
   if (options.has("no-guard")) how.guard.reset();
-  const std::string weights = options.text("weights", "uniform");
-  if (weights != "uniform" && weights != "chord")
-    throw UsageError("--weights: '" + weights + "' is not one of uniform, chord");
-  how.weights = weights == "chord" ? mesh::SmoothingWeights::chord : mesh::SmoothingWeights::uniform;
+  how.weights = options.choice("weights", {"uniform", "chord"}, "uniform") == "chord" ? mesh::SmoothingWeights::chord
+                                                                                      : mesh::SmoothingWeights::uniform;
   how.pull_distance = options.number("pull", 0, 0, std::numeric_limits<double>::max());
 
-  const mesh::Surface surface = read_input(options, "smooth");
+  const mesh::Surface surface = read_input(options);
   const mesh::FeatureEdges features = read_features(options, surface);
   std::vector<bool> fixed(surface.positions.size(), false);
   for (const auto& edge : features) {
@@ -100,48 +99,32 @@ int smooth(const Options& options) {
   return program::kDone;
 }
 
-int subdivide(const Options& options) {
-  const std::string output = output_path(options, "subdivide");
-  if (options.words().size() != 1) throw UsageError("subdivide: expected one mesh file; see --help");
-  const mesh::Surface surface = mesh::read_surface(options.words().front(), true);
-  program::Outputs outputs;
-  outputs.add(output, mesh::obj_text(surface.mesh, surface.positions));
-  const int vertices = surface.mesh.vertex_count(), faces = surface.mesh.face_count();
-  program::finish(
-      options, ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
-      counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n", std::move(outputs));
-  return program::kDone;
-}
-
 }  // namespace
 
-Command smooth_command() {
+program::Command smooth_command() {
+  std::vector<program::Option> options{
+      output_option(),
+      program::value("iterations", "N", "smooth N times (default 10)"),
+      program::value("weights", "uniform|chord", "weights of the neighbours (default uniform)"),
+      program::flag("project", "move each vertex back to the surface of IN"),
+      program::value("pull", "T", "keep each vertex within distance T of the nearest vertex of IN"),
+      program::flag("no-guard", "take steps that invert a quad too"),
+      program::output("script", "FILE", "write the move as text, for `requad-edit apply`"),
+  };
+  for (program::Option& option : input_options()) options.push_back(std::move(option));
   return {
-      "smooth",
-      "  requad-edit smooth IN -o OUT [--iterations N] [--weights uniform|chord] [--project] [--pull T] [--no-guard]\n"
-      "                     [--feature-angle DEG | --features FILE] [--script FILE] [--subdivide]\n"
-      "      Laplacian smoothing (10 iterations, uniform weights); boundary and feature vertices stay; --project "
-      "moves\n"
-      "      each vertex back to the input's surface, --pull to within T of the input's nearest vertex; a step that\n"
-      "      would invert a quad is not taken, unless --no-guard\n",
-      {"requad-edit smooth bunny.obj --project -o smooth.obj",
-       "requad-edit smooth fandisk.obj --feature-angle 30 --weights chord --iterations 50 --project -o smooth.obj"},
-      {{"subdivide", "project", "no-guard"},
-       {"iterations", "weights", "pull", "feature-angle", "features"},
-       {},
-       {"output,o", "script"}},
-      smooth};
-}
-
-Command subdivide_command() {
-  return {"subdivide",
-          "  requad-edit subdivide IN -o OUT\n"
-          "      each n-gon becomes n quads: the vertices of IN keep numbers and places, then come the middles of "
-          "edges, then\n"
-          "      those of faces\n",
-          {"requad-edit subdivide triangles.obj -o quads.obj"},
-          {{}, {}, {}, {"output,o"}},
-          subdivide};
+      .name = "smooth",
+      .usage = {"IN -o OUT"},
+      .summary = "smooths the mesh (Laplacian smoothing)",
+      .text = R"(Vertices on the boundary and on features stay. A step that would invert a quad
+is not taken.
+)",
+      .examples = {"requad-edit smooth mesh/examples/figure-16.obj --project -o smooth.obj",
+                   "requad-edit smooth mesh/examples/figure-17.obj --feature-angle 40 --weights chord -o smooth.obj"},
+      .options = std::move(options),
+      .words = {1, 1},
+      .run = smooth,
+  };
 }
 
 }  // namespace requad::edit

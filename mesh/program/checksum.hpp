@@ -1,4 +1,4 @@
-// CRC-32 as text, for what must be told apart or found damaged.
+// CRC-32 as text. It tells files apart and finds damaged lines.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class Checksum {
   static constexpr std::size_t kDigits = 8;
 
   void add(std::string_view bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
-  // Eight hexadecimal digits, of all bytes so far.
+  // The checksum of all bytes so far, in kDigits hexadecimal digits.
   std::string text() const {
     std::array<char, kDigits + 1> digits{};
     std::snprintf(digits.data(), digits.size(), "%08x", crc_.checksum());

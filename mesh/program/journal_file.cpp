@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 #include "mesh/program/checksum.hpp"
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
 
 namespace requad::program {
 
@@ -38,14 +38,14 @@ std::string record_line(const ordered_json& record) {
   return checksum(json) + " " + json + "\n";
 }
 
-// For the parser. No record is nested so deeply; what is copies and prints itself by as many calls in calls.
+// For the parser. No record is nested deeply, and JSON that is would overflow the stack when it is copied or printed.
 bool no_deeper(int depth, ordered_json::parse_event_t, ordered_json&) {
   constexpr int kDeepest = 32;
   if (depth > kDeepest) throw std::invalid_argument("it is nested more than " + std::to_string(kDeepest) + " deep");
   return true;
 }
 
-// What a line says, if it is whole.
+// The JSON of a line; nothing if the line is torn or damaged.
 std::optional<std::string_view> content(std::string_view line) {
   if (line.size() <= kDigits || line[kDigits] != ' ') return std::nullopt;
   const std::string_view json = line.substr(kDigits + 1);
@@ -91,7 +91,7 @@ void JournalFile::read(const std::string& program, const std::string& run,
     const bool is_last = end == std::string::npos || end + 1 == text.size();
     const auto json = content(std::string_view(text).substr(at, end == std::string::npos ? end : end - at));
     if (!json || end == std::string::npos) {
-      // The first line may be torn, too; but a file that does not even start like one is something else, to be kept.
+      // The first line may be torn too. But a file that begins differently is no journal, and must be kept.
       if (line == 1 && !record_line(header).starts_with(text)) refuse_line(line, "this is no journal of " + program);
       if (!is_last) refuse_line(line, "it is damaged: the checksum does not fit");
       break;
@@ -127,7 +127,7 @@ void JournalFile::append(const Record& record) {
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       broken_ = std::string("can not be written: ") + std::strerror(errno);
-      // Without the part that was written: what follows a torn line is not read. If that fails, too, nothing follows.
+      // Removes the torn line. Should that fail too, nothing is lost: no line will follow it.
       [[maybe_unused]] const int ignored = ftruncate(file_, before);
       refuse(broken_);
     }
@@ -136,13 +136,23 @@ void JournalFile::append(const Record& record) {
 }
 
 std::int64_t integer_from(const ordered_json& json, std::int64_t low, std::int64_t high) {
-  // What is not negative, the parser keeps without a sign.
+  // The parser stores a number that is not negative as an unsigned one.
   const bool fits = json.is_number_integer() &&
                     (!json.is_number_unsigned() || std::in_range<std::int64_t>(json.get<std::uint64_t>()));
   const auto value = fits ? json.get<std::int64_t>() : 0;
   if (!fits || value < low || value > high)
     throw std::invalid_argument("no integer in " + std::to_string(low) + ".." + std::to_string(high));
   return value;
+}
+
+std::string version_and_build(const std::string& version) {
+  std::ifstream self("/proc/self/exe", std::ios::binary);
+  if (!self) return version;
+  Checksum sum;
+  std::array<char, 1 << 16> piece;
+  while (self.read(piece.data(), piece.size()) || self.gcount() > 0)
+    sum.add({piece.data(), static_cast<std::size_t>(self.gcount())});
+  return version + " (build " + sum.text() + ")";
 }
 
 }  // namespace requad::program

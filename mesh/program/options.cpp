@@ -1,13 +1,13 @@
 #include "mesh/program/options.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 #include <locale>
-#include <set>
 #include <sstream>
 
 #include <boost/program_options.hpp>
+
+#include "mesh/program/outputs.hpp"
 
 namespace requad::program {
 
@@ -15,30 +15,62 @@ namespace po = boost::program_options;
 
 namespace {
 
-constexpr std::initializer_list<const char*> kCommon{"help", "version", "quiet", "json", "threads"};
+constexpr const char* kWords = " words";  // the name that Boost's map has for words; no option can be called so
 
-std::string shown(double value) {
+std::string number_text(double value) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << value;
   return text.str();
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+void require_known(const std::string& name, const std::string& word, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw UsageError("--" + name + ": '" + word + "' is not one of " + joined(known));
+}
+
+void require_within(const std::string& name, std::int64_t value, std::int64_t low, std::int64_t high) {
+  if (value >= low && value <= high) return;
+  throw UsageError("--" + name + ": " + std::to_string(value) + " is not in " + std::to_string(low) + ".." +
+                   std::to_string(high));
+}
+
 }  // namespace
 
-Options::Options(int argc, char** argv, const OptionTable& table) {
+const std::vector<Option>& common_options() {
+  static const std::vector<Option> options{
+      output("json", "FILE|-", "write the result as JSON, to a file or to standard output"),
+      value("threads", "N", "use N threads (default: as many as there are cores)"),
+      flag("quiet,q", "print no result as text and no progress"),
+      flag("help,h", "print this help; after the name of a command, the help of that command"),
+      flag("version", "print the version"),
+  };
+  return options;
+}
+
+Options::Options(int argc, char** argv, const std::vector<Option>& table) {
   po::options_description all;
-  const auto value = [&all](const std::string& name) { all.add_options()(name.c_str(), po::value<std::string>(), ""); };
-  for (const char* flag : {"help,h", "version", "quiet,q"}) all.add_options()(flag, "");
-  for (const std::string& flag : table.flags) all.add_options()(flag.c_str(), "");
-  value("json"), value("threads");
-  for (const std::string& name : table.values) value(name);
-  for (const std::string& name : table.outputs) value(name);
-  for (const std::string& name : table.lists)
-    all.add_options()(name.c_str(), po::value<std::vector<std::string>>(), "");
-  all.add_options()(" words", po::value<std::vector<std::string>>(), "");
+  for (const std::vector<Option>* part : {&common_options(), &table}) {
+    for (const Option& option : *part) {
+      const char* const name = option.name.c_str();
+      if (option.kind == Option::Kind::flag) {
+        all.add_options()(name, "");
+      } else if (option.kind == Option::Kind::list) {
+        all.add_options()(name, po::value<std::vector<std::string>>(), "");
+      } else {
+        all.add_options()(name, po::value<std::string>(), "");
+      }
+    }
+  }
+  all.add_options()(kWords, po::value<std::vector<std::string>>(), "");
   po::positional_options_description positional;
-  positional.add(" words", -1);
+  positional.add(kWords, -1);
   try {
     using Style = po::command_line_style::style_t;
     po::store(po::command_line_parser(argc, argv)
@@ -50,9 +82,11 @@ Options::Options(int argc, char** argv, const OptionTable& table) {
   } catch (const po::error& error) {
     throw UsageError(std::string(error.what()) + "; see --help");
   }
-  words_ = list(" words");
-  threads();  // so that a bad one is refused whatever the command
-  for (const std::string& name : table.outputs) outputs_.push_back(name.substr(0, name.find(',')));
+  words_ = list(kWords);
+  threads();  // a bad value is refused, whatever the command
+  for (const Option& option : table) {
+    if (option.kind == Option::Kind::output) outputs_.push_back(option.long_name());
+  }
 }
 
 std::string Options::text(const std::string& name, const std::string& fallback) const {
@@ -65,15 +99,41 @@ std::vector<std::string> Options::list(const std::string& name) const {
 
 int Options::threads() const { return static_cast<int>(integer("threads", 0, 1, 1024)); }
 
+std::string Options::required(const std::string& name, const std::string& expected) const {
+  if (!has(name)) throw UsageError("--" + name + " is missing; expected " + expected);
+  return text(name);
+}
+
+std::string Options::choice(const std::string& name, const std::vector<std::string>& known,
+                            const std::string& fallback) const {
+  if (!has(name)) return fallback;
+  require_known(name, text(name), known);
+  return text(name);
+}
+
+std::vector<std::string> Options::choices(const std::string& name, const std::vector<std::string>& known,
+                                          const std::vector<std::string>& fallback) const {
+  if (!has(name)) return fallback;
+  std::vector<std::string> chosen;
+  for (const std::string& word : list(name)) {
+    require_known(name, word, known);
+    if (std::find(chosen.begin(), chosen.end(), word) == chosen.end()) chosen.push_back(word);
+  }
+  return chosen;
+}
+
 std::int64_t Options::integer(const std::string& name, std::int64_t fallback, std::int64_t low,
                               std::int64_t high) const {
   if (!has(name)) return fallback;
   const std::int64_t value = parse_integer(text(name), "--" + name);
-  if (value < low || value > high) {
-    throw UsageError("--" + name + ": " + std::to_string(value) + " is not in " + std::to_string(low) + ".." +
-                     std::to_string(high));
-  }
+  require_within(name, value, low, high);
   return value;
+}
+
+std::vector<std::int64_t> Options::integers(const std::string& name, std::int64_t low, std::int64_t high) const {
+  std::vector<std::int64_t> values = parse_integers(text(name), "--" + name);
+  for (const std::int64_t value : values) require_within(name, value, low, high);
+  return values;
 }
 
 double Options::number(const std::string& name, double fallback, double low, double high) const {
@@ -82,46 +142,38 @@ double Options::number(const std::string& name, double fallback, double low, dou
   if (value < low || value > high) {
     const bool bounded = high < std::numeric_limits<double>::max();
     throw UsageError("--" + name + ": " + text(name) + " is not " +
-                     (bounded ? "in " + shown(low) + ".." + shown(high) : shown(low) + " or more"));
+                     (bounded ? "in " + number_text(low) + ".." + number_text(high) : number_text(low) + " or more"));
   }
   return value;
 }
 
-void Options::allow_only(const std::string& command, std::initializer_list<const char*> names) const {
+Range Options::range(const std::string& name, Range fallback, std::int64_t low, std::int64_t high) const {
+  if (!has(name)) return fallback;
+  const Range range = parse_range(text(name), "--" + name);
+  if (range.first < low || range.last > high) {
+    throw UsageError("--" + name + ": " + text(name) + " is not within " + std::to_string(low) + ".." +
+                     std::to_string(high));
+  }
+  return range;
+}
+
+void Options::allow_only(const std::string& what, const std::set<std::string>& names) const {
   for (const auto& [name, value] : map_) {
-    const auto is = [&name = name](const char* other) { return name == other; };
-    if (name == " words" || std::any_of(kCommon.begin(), kCommon.end(), is) ||
-        std::any_of(names.begin(), names.end(), is))
-      continue;
-    throw UsageError(command + ": has no use for --" + name + "; see --help");
+    const auto is_this = [&name = name](const Option& option) { return option.long_name() == name; };
+    const std::vector<Option>& common = common_options();
+    if (name == kWords || names.count(name) > 0 || std::any_of(common.begin(), common.end(), is_this)) continue;
+    throw UsageError((what.empty() ? "there is no use for --" : what + ": has no use for --") + name + "; see --help");
   }
 }
 
-void Options::require_outputs(const std::vector<std::string>& names) const {
-  std::set<std::string> places;
-  for (const std::string& name : names) {
+void Options::require_outputs() const {
+  std::set<std::string> used;
+  for (const std::string& name : outputs_) {
     if (!has(name)) continue;
-    const std::string place = require_writable(text(name));
-    if (!place.empty() && !places.insert(place).second)
-      throw UsageError("two outputs can not both go to " + (place == "-" ? "standard output" : text(name)));
+    const std::string file = require_writable(text(name));
+    if (!file.empty() && !used.insert(file).second)
+      throw UsageError("two outputs can not both go to " + (file == "-" ? "standard output" : text(name)));
   }
-}
-
-void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs) {
-  if (options.has("json")) outputs.add(options.text("json"), json + "\n");
-  outputs.commit();
-  if (!options.on_stdout("json") && !options.on_stdout("output") && !options.quiet()) std::cout << text;
-}
-
-bool answered(const Options& options, const char* name, const char* version, const char* help) {
-  if (options.has("help")) {
-    std::cout << help;
-  } else if (options.has("version")) {
-    std::cout << name << ' ' << version << '\n';
-  } else {
-    return false;
-  }
-  return true;
 }
 
 }  // namespace requad::program

@@ -1,62 +1,103 @@
-// Command lines of the programs: options by name, the common ones once, one-line errors.
+// The options of a command line: tables that describe them, and the values that were given.
+//
+// A table is a list of Option. Help texts are laid out from it too (program.hpp). Every command has the common options
+// --help, --version, --quiet, --json and --threads besides.
 #pragma once
 
 #include <initializer_list>
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <boost/program_options/variables_map.hpp>
 
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
+#include "mesh/program/numbers.hpp"
 
 namespace requad::program {
 
-// What a program's command line may hold. Names are as for Boost.Program_options ("output,o"). Every program has
-// --help, --version, --quiet, --json and --threads besides.
-struct OptionTable {
-  std::vector<std::string> flags = {};
-  std::vector<std::string> values = {};   // take a value, given once
-  std::vector<std::string> lists = {};    // take a value, may be repeated
-  std::vector<std::string> outputs = {};  // take the name of a file to write, or "-" for standard output; --json is one
+struct Option {
+  enum class Kind {
+    flag,    // takes no value
+    value,   // takes a value, may be given once
+    list,    // takes a value, may be repeated
+    output,  // takes the name of a file to write, or "-" for standard output
+  };
+  Kind kind;
+  std::string name;      // without dashes; "output,o" can also be written -o
+  std::string argument;  // what stands for the value in help texts, as FILE; "" for a flag
+  std::string meaning;   // for help texts, which break it into lines; a line of its own stays one
+
+  std::string long_name() const { return name.substr(0, name.find(',')); }
 };
 
+// The entries of a table. See Option::Kind.
+inline Option flag(std::string name, std::string meaning) {
+  return {Option::Kind::flag, std::move(name), "", std::move(meaning)};
+}
+inline Option value(std::string name, std::string argument, std::string meaning) {
+  return {Option::Kind::value, std::move(name), std::move(argument), std::move(meaning)};
+}
+inline Option list(std::string name, std::string argument, std::string meaning) {
+  return {Option::Kind::list, std::move(name), std::move(argument), std::move(meaning)};
+}
+inline Option output(std::string name, std::string argument, std::string meaning) {
+  return {Option::Kind::output, std::move(name), std::move(argument), std::move(meaning)};
+}
+
+const std::vector<Option>& common_options();
+
+// What a command line holds. Names of options are long names, without dashes.
 class Options {
  public:
-  // Throws UsageError for anything the table does not know; abbreviations are not guessed.
-  Options(int argc, char** argv, const OptionTable& table);
+  // Throws UsageError for an option that is neither in the table nor a common one, for a value that is missing, and for
+  // a bad --threads. Abbreviations are not accepted.
+  Options(int argc, char** argv, const std::vector<Option>& table);
 
   bool has(const std::string& name) const { return map_.count(name) != 0; }
+  // The value of an option, or the fallback.
   std::string text(const std::string& name, const std::string& fallback = "") const;
+  // The values of an option that may be repeated.
   std::vector<std::string> list(const std::string& name) const;
+  // The arguments that are no options and no values of options.
   const std::vector<std::string>& words() const { return words_; }
   bool quiet() const { return has("quiet"); }
   // 0 if --threads is not given: all cores.
   int threads() const;
-  // The value as an integer in low..high, or the fallback. The error names the option and the range.
-  std::int64_t integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
-  double number(const std::string& name, double fallback, double low, double high) const;
-
-  // Throws UsageError if an option other than these and the common ones is given: `command` has no use for it.
-  void allow_only(const std::string& command, std::initializer_list<const char*> names) const;
-  // Before any work: throws UsageError if an output can not be written, or two of them would be one file or both go to
-  // standard output.
-  void require_outputs() const { require_outputs(outputs_); }
-  // These only.
-  void require_outputs(const std::vector<std::string>& names) const;
   bool on_stdout(const std::string& name) const { return text(name) == "-"; }
+
+  // Values that are checked. Each throws a UsageError that names the option and what was expected.
+
+  // The value of an option that must be given.
+  std::string required(const std::string& name, const std::string& expected) const;
+  // One of the known words, or the fallback.
+  std::string choice(const std::string& name, const std::vector<std::string>& known, const std::string& fallback) const;
+  // The values of an option that may be repeated, each once; all must be known. If it is not given: the fallback.
+  std::vector<std::string> choices(const std::string& name, const std::vector<std::string>& known,
+                                   const std::vector<std::string>& fallback) const;
+  // An integer in low..high, or the fallback.
+  std::int64_t integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
+  // Integers in low..high with commas between them. The option must be given.
+  std::vector<std::int64_t> integers(const std::string& name, std::int64_t low, std::int64_t high) const;
+  // A number in low..high, or the fallback.
+  double number(const std::string& name, double fallback, double low, double high) const;
+  // A range within low..high, or the fallback.
+  Range range(const std::string& name, Range fallback, std::int64_t low, std::int64_t high) const;
+
+  // Throws UsageError if an option is given that is neither a common one nor one of these. `what` names the command that
+  // has no use for it; it may be "".
+  void allow_only(const std::string& what, const std::set<std::string>& names) const;
+  // To be called before any work. Throws UsageError if an output can not be written, or if two of them go to one file or
+  // both to standard output. Outputs are --json and those of the table.
+  void require_outputs() const;
+
+  // Takes the first word away: it named the command.
+  void drop_first_word() { words_.erase(words_.begin()); }
 
  private:
   boost::program_options::variables_map map_;
   std::vector<std::string> words_;
   std::vector<std::string> outputs_{"json"};
 };
-
-// How a command ends: its outputs, with the JSON where --json asks for it, are committed; then the text, on standard output
-// unless that is taken or --quiet.
-void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs = {});
-
-// Prints the help or the version if asked for; true if that was all there was to do.
-bool answered(const Options& options, const char* name, const char* version, const char* help);
 
 }  // namespace requad::program

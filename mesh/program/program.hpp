@@ -1,115 +1,60 @@
-// What all programs share: exit codes, one-line errors, numbers on command lines, whole files, progress.
+// A program as a table of commands. The table decides what the command line may hold and what the help texts say.
+//
+// The command line of a program is PROGRAM COMMAND ARGUMENT..., with options anywhere. The first argument that is neither
+// an option nor the value of one names the command. To add a command, write a function that returns a Command, in a
+// source of its own, and enter it in the table of the program's main.cpp.
 #pragma once
 
-#include <atomic>
-#include <chrono>
-#include <cstdint>
+#include <cstddef>
 #include <functional>
-#include <mutex>
-#include <set>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
+
+#include "mesh/program/options.hpp"
+#include "mesh/program/outputs.hpp"
+#include "mesh/program/run.hpp"
 
 namespace requad::program {
 
-enum ExitCode : int {
-  kDone = 0,         // done, and all that was checked is true
-  kCheckFailed = 1,  // a check failed
-  kBadInput = 2,     // bad arguments or bad input
-  kUndecided = 3     // a limit was reached
+struct Command {
+  // Three kinds of names: a word; "--word" for a command that is chosen by this flag; "" for the command that runs if no
+  // other is named.
+  std::string name;
+  std::vector<std::string> usage;     // for each form what follows the name, as "IN A B -o OUT"
+  std::string summary;                // one line: what the command does
+  std::string text = "";              // prose for the command's help, at most 80 columns wide
+  std::vector<std::string> examples;  // whole command lines
+  std::vector<Option> options;        // beside the common ones; all others are refused
+  // How many words may follow the name.
+  struct WordCount {
+    std::size_t least, most;
+  };
+  WordCount words = {0, 0};
+  // Whether run_program() calls Options::require_outputs(). If not, run() does when it can.
+  bool outputs_are_known = true;
+  std::function<int(const Options&)> run;  // returns an exit code, or throws UsageError
 };
 
-// The text as one line: '?' for what would end the line or act on a terminal.
-std::string one_line(std::string text);
-
-// Bad arguments or input: one line that says what, where and what was expected.
-class UsageError : public std::runtime_error {
- public:
-  // Arguments and names of files are quoted here: one_line() of it is kept.
-  explicit UsageError(std::string message) : std::runtime_error(one_line(std::move(message))) {}
+struct Program {
+  std::string name;  // "requad-edit"
+  std::string version;
+  std::string summary;     // one line: what the program does
+  std::string exit_codes;  // their meaning, in one sentence
+  std::string text;        // prose for the help of the program and of each command, at most 80 columns wide
+  std::vector<Command> commands;
 };
 
-// Calls body and returns its exit code; an exception ends in one line "NAME: message" on stderr and kBadInput for bad
-// arguments and input, in kUndecided if the system has no more memory or threads, in kCheckFailed for anything else: a
-// fault of this program. A signal that ends the program (SIGINT, SIGTERM, SIGHUP) takes temporary files along.
-int run(std::string_view name, const std::function<int()>& body);
-// What run() did to signals undone: for a program that is to take this one's place.
-void restore_signals();
+// The main function of a program: answers --help and --version, or chooses the command and runs it, inside run(). Exits
+// with kBadInput and one line on standard error if the command line is not one of the table.
+int run_program(int argc, char** argv, const Program& program);
 
-// Whether something says no to running out of memory or threads, which is no fault of what ran: to be thrown again.
-bool is_exhaustion(const std::exception& error);
+// The help of the program: every command in a line or two, and an example of each.
+std::string program_help(const Program& program);
+// The help of one command: its options and all its examples.
+std::string command_help(const Program& program, const Command& command);
 
-// "0.1.0 (build 1a2b3c4d)": the version, and a checksum of the running program, where that can be read. What another build
-// of the same version found may not be what this one would find.
-std::string version_and_build(const std::string& version);
-
-// A decimal integer and nothing else; `what` names it in the error.
-std::int64_t parse_integer(std::string_view text, std::string_view what);
-// A finite decimal number and nothing else.
-double parse_number(std::string_view text, std::string_view what);
-// "6,6,6".
-std::vector<std::int64_t> parse_integers(std::string_view text, std::string_view what);
-// "3..24", or "7" for 7..7; first <= last.
-struct Range {
-  std::int64_t first;
-  std::int64_t last;
-};
-Range parse_range(std::string_view text, std::string_view what);
-
-// The files of one result: all of them or none, and each as a whole.
-class Outputs {
- public:
-  Outputs();
-  Outputs(Outputs&&) noexcept;
-  ~Outputs();  // what was not committed is gone
-
-  // A file, by a temporary one beside it that is written at once, or standard output if path is "-". Links are followed;
-  // a device or pipe is written to as it is, at the commit. Throws UsageError, also if the file was added before.
-  void add(const std::string& path, std::string text);
-  // Writes to devices and pipes, then gives the files their names, in the order they were added and while signals wait.
-  // Throws UsageError; then, unless the system refuses to rename what it let be made, no file has its name. Writes to
-  // standard output last: whether it took it, run() sees.
-  void commit();
-
- private:
-  struct Output;
-  std::vector<Output> outputs_;
-  std::set<std::string> places_;
-};
-
-// One output by itself.
-void write_text(const std::string& path, std::string text);
-
-// Throws the UsageError that write_text() would, as far as can be told without writing: for long work, before it. Returns
-// what tells files apart, "-" for standard output and "" for a device or pipe.
-std::string require_writable(const std::string& path);
-// Likewise for a folder that is there or to be made.
-void require_folder(const std::string& path);
-
-// A counter on stderr, shown only if stderr is a terminal and the work has taken a second. A total of 0 is not known.
-// Safe to call from any thread.
-class Progress {
- public:
-  Progress(std::string what, std::int64_t total, bool quiet);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  void advance(std::int64_t by = 1);
-  // Takes the counter off the screen, before other output; the destructor does so too.
-  void finish();
-
- private:
-  std::string what_;
-  std::int64_t total_;
-  bool shown_;
-  std::atomic<std::int64_t> done_{0};
-  std::mutex mutex_;
-  std::chrono::steady_clock::time_point start_;
-  std::chrono::steady_clock::time_point last_;
-  bool printed_ = false;
-};
+// The end of a command: commits the outputs, with the JSON where --json asks for it. Then prints the text, unless
+// standard output is taken or --quiet is given. Throws UsageError.
+void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs = {});
 
 }  // namespace requad::program

@@ -2,7 +2,7 @@
 #include "enumerate/search/search.hpp"
 #include "enumerate/search/spheres.hpp"
 #include "mesh/program/journal_file.hpp"
-#include "mesh/program/program.hpp"
+#include "mesh/program/errors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/sanitizers.hpp"

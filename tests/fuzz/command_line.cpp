@@ -32,13 +32,10 @@ std::vector<std::int64_t> numbers(const Options& options, const char* name) {
 }
 
 // As `requad-enumerate search` does.
-std::vector<int> as_ints(const std::vector<std::int64_t>& values) {
-  std::vector<int> result;
-  for (const std::int64_t x : values) {
-    if (x < 0 || x > 100'000) throw program::UsageError("out of range");
-    result.push_back(static_cast<int>(x));
-  }
-  return result;
+std::vector<int> ints(const Options& options, const char* name) {
+  const auto values = options.integers(name, 0, 100'000);
+  fuzz::require(values == numbers(options, name), "an option is read in two ways");
+  return {values.begin(), values.end()};
 }
 
 void try_sides(const Options& options, theory::PairType type) {
@@ -60,8 +57,8 @@ void try_strips(const Options& options, theory::PairType type) {
 
 void try_search(const Options& options) {
   std::vector<int> irregular;
-  if (!options.text("irregular").empty()) irregular = as_ints(numbers(options, "irregular"));
-  const auto problem = enumerate::search_problem(as_ints(numbers(options, "sides")), std::move(irregular));
+  if (!options.text("irregular").empty()) irregular = ints(options, "irregular");
+  const auto problem = enumerate::search_problem(ints(options, "sides"), std::move(irregular));
   if (fulfils(enumerate::problem_with(problem))) enumerate::may_be_infinite(problem);
 }
 
@@ -75,20 +72,24 @@ void fuzz::try_input(std::string_view text) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   accepts([&] {
-    const program::OptionTable table{
-        {"list", "undo"}, {"output,o", "sides", "irregular", "digon", "limit", "angle"}, {"claim"}};
+    const std::vector<program::Option> table{
+        program::flag("list", ""),       program::flag("undo", ""),           program::output("output,o", "", ""),
+        program::value("sides", "", ""), program::value("irregular", "", ""), program::value("digon", "", ""),
+        program::value("limit", "", ""), program::value("angle", "", ""),     program::list("claim", "", ""),
+    };
     const Options options(static_cast<int>(arguments.size()), pointers.data(), table);
-    // Each of these may refuse: it must not keep the others from being tried.
+    // Each of these may refuse. That must not keep the others from being tried.
     accepts([&] { options.allow_only("command", {"output", "sides", "digon", "limit"}); });
-    accepts([&] { options.require_outputs({"json", "output"}); });
+    accepts([&] { options.require_outputs(); });
+    accepts([&] { options.choices("claim", {"T2", "T3"}, {}); });
     accepts([&] { options.integer("limit", 0, -5, 1000); });
     accepts([&] {
       const double angle = options.number("angle", 0, 0, 180);
       require(angle >= 0 && angle <= 180, "a number out of range");
     });
     accepts([&] {
-      const program::Range range = program::parse_range(options.text("digon"), "--digon");
-      require(range.first <= range.last, "an empty range");
+      const program::Range range = options.range("digon", {3, 24}, 3, 100);
+      require(3 <= range.first && range.first <= range.last && range.last <= 100, "a range out of bounds");
     });
     for (const theory::PairType type : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
       accepts([&] { try_sides(options, type); });

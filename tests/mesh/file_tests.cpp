@@ -10,7 +10,7 @@
 #include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/diagnosis.hpp"
-#include "mesh/program/program.hpp"
+#include "mesh/program/outputs.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"

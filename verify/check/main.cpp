@@ -1,15 +1,15 @@
-// requad-verify-check: checks certificates again (`requad-verify check DIR` starts it).
+// requad-verify-check: checks certificates again. `requad-verify check DIR` starts it.
 //
-// This program shares no code with what made the certificates: its own parser, a mesh that is a list of faces, its own
-// validation, operations as their definitions say, its own comparison of meshes. It uses the C++ library and nothing
-// else. The format is described in certificate.hpp. For each region it checks that
-//   - every mesh is a quadrangulated disk, simple and manifold, with the sides that are claimed, whose irregular vertices
-//     are the pair (or the merged vertex);
+// This program shares no code with the programs that make certificates. It has a parser of its own, a mesh that is a list
+// of faces, its own validation, operations that follow their definitions, and its own comparison of meshes. It uses the
+// C++ standard library and nothing else. verify/certificate.hpp describes the format. For each region it checks that
+//   - every mesh is a quadrangulated disk, simple and manifold, with the sides that are claimed, and its irregular
+//     vertices are the pair, or the merged vertex;
 //   - no two meshes are isomorphic by a map that fixes the boundary;
-//   - every script, operation by operation, is legal, keeps the boundary as it is, and leads to the mesh it names;
-//   - the numbers of configurations and edges are as claimed, all are connected, no edge is given twice, and for a
-//     regular digon or hexagon the number is tau(L).
-// Exit code: 0 all certificates hold, 1 one does not, 2 that can not be told: one can not be read, or memory ran out.
+//   - every operation of every script is legal and keeps the boundary, and the script leads to the mesh that it names;
+//   - the numbers of configurations and edges are as claimed, the edges connect all configurations, no edge is given
+//     twice, and for a regular digon or hexagon the number of configurations is tau(L).
+// Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one cannot be read, or memory ran out.
 
 #include <algorithm>
 #include <array>
@@ -28,19 +28,19 @@ namespace {
 using Face = std::array<int, 4>;
 using Faces = std::vector<Face>;
 
-// A certificate that does not hold: what and where.
+// A certificate does not hold. The message says what is wrong.
 class Rejected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-void require(bool holds, const std::string& otherwise) {
-  if (!holds) throw Rejected(otherwise);
+void require(bool holds, const std::string& problem) {
+  if (!holds) throw Rejected(problem);
 }
 
 // --- meshes ----------------------------------------------------------------------------------------------------------
 
-// Directed edge -> (face, corner).
+// The face and the corner of each directed edge, by its two vertices.
 std::map<std::array<int, 2>, std::array<std::size_t, 2>> directed_edges(const Faces& faces) {
   std::map<std::array<int, 2>, std::array<std::size_t, 2>> edges;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -60,7 +60,7 @@ struct Boundary {
     for (const int s : sides) sum += s;
     return sum;
   }
-  // Faces that each boundary vertex must have: one at the start of a side, else two.
+  // The number of faces at each boundary vertex: one at the start of a side, two elsewhere.
   std::vector<int> faces() const {
     std::vector<int> result;
     for (const int s : sides) {
@@ -71,7 +71,7 @@ struct Boundary {
   }
 };
 
-// A simple manifold disk with this boundary; returns the valences of its interior vertices other than 4, sorted.
+// Requires a simple manifold disk with this boundary. Returns the valences of the irregular interior vertices, sorted.
 std::vector<int> check_disk(const Faces& faces, const Boundary& boundary) {
   const auto edges = directed_edges(faces);
   const int n = boundary.length();
@@ -80,17 +80,17 @@ std::vector<int> check_disk(const Faces& faces, const Boundary& boundary) {
     for (const int v : f) ++degree[v];
   }
   std::size_t boundary_edges = 0;
-  for (const auto& [edge, place] : edges) {
+  for (const auto& [edge, corner] : edges) {
     if (edges.count({edge[1], edge[0]}) > 0) continue;
     ++boundary_edges;
     require(edge[0] >= 0 && edge[0] < n && edge[1] == (edge[0] + 1) % n, "the boundary is not 0, 1, 2, ...");
   }
   require(boundary_edges == static_cast<std::size_t>(n), "the boundary has a wrong length");
-  // One fan of faces at each vertex: go round it from any face, and back from there; all its faces must be met.
+  // The faces at each vertex must form one fan: going round the vertex once must meet all of them.
   const std::vector<int> wanted = boundary.faces();
   std::vector<int> irregular;
-  std::map<int, int> start;  // a neighbour by an outgoing edge; on the boundary the one along it
-  for (const auto& [edge, place] : edges) {
+  std::map<int, int> start;  // a neighbour of the vertex; of a boundary vertex the next one on the boundary
+  for (const auto& [edge, corner] : edges) {
     if (start.count(edge[0]) == 0 || edges.count({edge[1], edge[0]}) == 0) start[edge[0]] = edge[1];
   }
   for (const auto& [v, count] : degree) {
@@ -111,7 +111,7 @@ std::vector<int> check_disk(const Faces& faces, const Boundary& boundary) {
   }
   const auto edge_count = (edges.size() + boundary_edges) / 2;
   require(degree.size() + faces.size() == edge_count + 1, "the mesh is no disk");
-  // Connected: a flood over neighbouring faces.
+  // The mesh is connected: all faces are reached from the first one, over common edges.
   std::set<std::size_t> reached{0};
   std::vector<std::size_t> stack{0};
   while (!stack.empty()) {
@@ -127,8 +127,8 @@ std::vector<int> check_disk(const Faces& faces, const Boundary& boundary) {
   return irregular;
 }
 
-// A mesh's form with its interior vertices renamed in the order in which a walk from the boundary edge 0 -> 1 meets them:
-// equal for two meshes iff they are isomorphic by a map that fixes the boundary.
+// The faces with the interior vertices renamed in the order in which a breadth-first search from the boundary edge 0 -> 1
+// meets them. Two meshes have equal forms iff they are isomorphic by a map that fixes the boundary.
 std::vector<int> form(const Faces& faces, int boundary_length) {
   const auto edges = directed_edges(faces);
   std::map<int, int> name;
@@ -197,11 +197,11 @@ void split(Faces& faces, int v, int a, int b, int w) {
 
 // --- certificates ----------------------------------------------------------------------------------------------------
 
-// Lines of a certificate, split into words; numbers are decimal and nothing else.
+// The lines of a certificate, split into words.
 class Lines {
  public:
   explicit Lines(std::istream& in) : in_(in) {}
-  // The next line, which must start with this word unless it is "".
+  // The next line. It must start with the word `first`, unless that is "", and have this number of words, unless it is 0.
   std::vector<std::string> next(const std::string& first, std::size_t words) {
     std::string line;
     require(static_cast<bool>(std::getline(in_, line)), "the file ends too early");
@@ -213,6 +213,7 @@ class Lines {
     require(!result.empty() && (first.empty() || result[0] == first), "expected '" + first + "'");
     return result;
   }
+  // Requires that no line is left.
   void finish() {
     std::string rest;
     require(!std::getline(in_, rest), "the file goes on after 'end'");
@@ -224,6 +225,7 @@ class Lines {
   int number_ = 0;
 };
 
+// A decimal number of at most seven digits and nothing else.
 int number(const std::string& word) {
   require(!word.empty() && word.size() <= 7 &&
               std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
@@ -267,7 +269,7 @@ void check(Lines& lines) {
   for (int i = 0; i < total; ++i) {
     const auto head = lines.next("mesh", 8);
     require(number(head[1]) == i && head[4] == "vertices" && head[6] == "faces", "a mesh has a wrong head");
-    require(head[2] == "pair" || head[2] == "merged", "a mesh is neither of the pair nor merged");
+    require(head[2] == "pair" || head[2] == "merged", "a mesh neither holds the pair nor is merged");
     require(labels.insert(head[3]).second, "two meshes have one label");
     pairs += head[2] == "pair" ? 1 : 0;
     Faces faces;
@@ -308,7 +310,7 @@ void check(Lines& lines) {
         collapse(faces, a, b, c, d);
       } else {
         require(words[0] == "split", "unknown operation");
-        require(d == next_vertex++, "split: new vertices are not numbered on");
+        require(d == next_vertex++, "split: the new vertex does not have the next number");
         split(faces, a, b, c, d);
       }
       check_disk(faces, boundary);
@@ -323,44 +325,44 @@ void check(Lines& lines) {
   lines.finish();
 }
 
-// One line on standard error, whatever is in the names.
-void say(std::string text) {
+// Prints one line on standard error, whatever the names of files hold.
+void report(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
   }
   std::cerr << "requad-verify-check: " << text << "\n";
 }
 
-constexpr int kHolds = 0, kDoesNotHold = 1, kCanNotTell = 2;
+constexpr int kHolds = 0, kDoesNotHold = 1, kUndecided = 2;
 
 int check_folder(const std::string& folder) {
   std::ifstream manifest(folder + "/MANIFEST");
   if (!manifest) {
-    say(folder + "/MANIFEST can not be read");
-    return kCanNotTell;
+    report(folder + "/MANIFEST can not be read");
+    return kUndecided;
   }
   int checked = 0;
   std::set<std::string> files;
   for (std::string file; std::getline(manifest, file);) {
     std::ifstream in(folder + "/" + file);
     if (!in || file.find('/') != std::string::npos || !files.insert(file).second) {
-      say(folder + "/" + file + " can not be read, or is listed twice");
-      return kCanNotTell;
+      report(folder + "/" + file + " can not be read, or is listed twice");
+      return kUndecided;
     }
     Lines lines(in);
     try {
       check(lines);
     } catch (const std::bad_alloc&) {
-      throw;  // the certificate may hold
+      throw;  // the certificate may hold all the same
     } catch (const std::exception& error) {
-      say(file + ":" + std::to_string(lines.number()) + ": " + error.what());
+      report(file + ":" + std::to_string(lines.number()) + ": " + error.what());
       return kDoesNotHold;
     }
     ++checked;
   }
   if (checked == 0) {
-    say(folder + "/MANIFEST lists no certificate");
-    return kCanNotTell;
+    report(folder + "/MANIFEST lists no certificate");
+    return kUndecided;
   }
   std::cout << checked << " certificates hold\n";
   return kHolds;
@@ -371,24 +373,35 @@ int check_folder(const std::string& folder) {
 int main(int argc, char** argv) {
   const std::string first = argc == 2 ? argv[1] : "";
   if (argc != 2) {
-    say("expected one folder; see --help");
-    return kCanNotTell;
+    report("expected one folder; see --help");
+    return kUndecided;
   }
   int code = kHolds;
   if (first == "--help") {
-    std::cout
-        << "requad-verify-check DIR: checks the certificates that requad-verify --certificate DIR wrote\n\nExamples:\n"
-           "  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof\n";
+    std::cout << R"(requad-verify-check: checks certificates again
+
+Usage:
+  requad-verify-check DIR
+
+DIR is a folder that `requad-verify --certificate DIR` wrote. This program has no
+code in common with requad-verify. `requad-verify check DIR` starts it.
+
+Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one can
+not be read, or memory ran out
+
+Examples:
+  requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify-check proof
+)";
   } else {
     try {
       code = check_folder(first);
     } catch (const std::bad_alloc&) {
-      say("out of memory");
-      return kCanNotTell;
+      report("out of memory");
+      return kUndecided;
     }
   }
   std::cout.flush();
   if (std::cout) return code;
-  say("standard output can not be written");
-  return kCanNotTell;
+  report("standard output can not be written");
+  return kUndecided;
 }

@@ -1,16 +1,24 @@
-#include "mesh/commands/command.hpp"
+#include "mesh/commands/arguments.hpp"
 
 namespace requad::edit {
 
 using program::Options;
 using program::UsageError;
 
-mesh::Surface read_input(const Options& options, const std::string& command) {
-  const std::vector<std::string>& words = options.words();
-  if (words.size() != 1) {
-    throw UsageError(command + ": expected one mesh file, not " + std::to_string(words.size()) + "; see --help");
-  }
-  return mesh::read_surface(words.front(), options.has("subdivide"));
+std::vector<program::Option> input_options() {
+  return {
+      program::value("feature-angle", "DEG", "edges whose faces' normals differ by DEG degrees or more are features"),
+      program::value("features", "FILE",
+                     "the edges that FILE lists are features: two vertices on each line, or the `l` lines of an OBJ "
+                     "file; vertices are counted from 1"),
+      program::flag("subdivide", "cut each polygon of IN with n sides into n quads first"),
+  };
+}
+
+program::Option output_option() { return program::output("output,o", "OUT", "the OBJ file to write, or -"); }
+
+mesh::Surface read_input(const Options& options) {
+  return mesh::read_surface(options.words().front(), options.has("subdivide"));
 }
 
 bool wants_features(const Options& options) {
@@ -31,7 +39,7 @@ std::string output_path(const Options& options, const std::string& command) {
     throw UsageError(command + ": -o is missing; expected a file to write, or - for standard output");
   std::string path = options.text("output");
   if (path.ends_with(".off") || path.ends_with(".OFF"))
-    throw UsageError(path + ": OBJ is what is written; expected a name that ends in .obj");
+    throw UsageError(path + ": only OBJ can be written; expected a name that ends in .obj");
   return path;
 }
 

@@ -1,0 +1,104 @@
+#include "enumerate/commands/arguments.hpp"
+
+#include <algorithm>
+
+#include "mesh/files/write_obj.hpp"
+#include "mesh/program/journal_file.hpp"
+#include "theory/counts.hpp"
+
+namespace requad::enumerate {
+
+using program::Options;
+using program::UsageError;
+using theory::IntegerVector;
+using theory::PairType;
+
+std::vector<program::Option> pair_region_options() {
+  return {
+      program::value("sides", "S1,S2,...", "the lengths of the region's sides, counter-clockwise"),
+      program::value("pair", "3-3|5-5|3-5", "the valences of the pair"),
+  };
+}
+
+PairType required_pair(const Options& options) {
+  const std::string text = options.required("pair", "3-3, 5-5 or 3-5");
+  const auto type = theory::pair_type(text);
+  if (!type) throw UsageError("--pair: '" + text + "' is not one of 3-3, 5-5, 3-5");
+  return *type;
+}
+
+IntegerVector required_sides(const Options& options, PairType type) {
+  const std::string text = options.required("sides", "side lengths as in --sides 9,9");
+  IntegerVector sides = theory::to_vector(program::parse_integers(text, "--sides"));
+  if (const std::string problem = theory::sides_problem(type, sides); !problem.empty())
+    throw UsageError("--sides: " + problem);
+  // What exploring would keep in memory: the mesh of every configuration.
+  constexpr double kMostQuads = 2e8;
+  const auto longest = static_cast<double>(sides.maxCoeff());
+  const double area = longest * longest / 2;
+  const double configurations =
+      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
+  if (area * std::max(configurations, 1.0) > kMostQuads) {
+    throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) +
+                     " configurations of some " + std::to_string(static_cast<std::int64_t>(area)) +
+                     " quads are more than this command keeps in memory");
+  }
+  return sides;
+}
+
+std::vector<program::Option> search_options() {
+  return {
+      program::value("irregular", "L1,L2,...", "the valences of the irregular vertices; '' for none"),
+      program::flag("list", "print a signature of each mesh that is found"),
+      program::value("limit-seconds", "S", "stop after S seconds; the exit code is then 3"),
+      program::value("journal", "FILE",
+                     "keep in FILE what is found and what is left to do; a run that was killed, or ran out of time, "
+                     "goes on when the same command is given again"),
+  };
+}
+
+std::vector<int> irregular_valences(const Options& options) {
+  const std::string text = options.required("irregular", "valences as in --irregular 3,3,5, or '' for none");
+  return text.empty() ? std::vector<int>{} : required_ints(options, "irregular");
+}
+
+SearchLimits search_limits(const Options& options, program::Progress& progress) {
+  SearchLimits limits;
+  limits.progress = [&progress](std::int64_t states) { progress.advance(states); };
+  limits.threads = options.threads();
+  if (options.has("limit-seconds"))
+    limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));
+  if (options.has("max-faces")) limits.faces = static_cast<int>(options.integer("max-faces", 0, 1, kMostFaces));
+  return limits;
+}
+
+std::optional<SearchJournal> search_journal(const Options& options, const std::string& run) {
+  if (!options.has("journal")) return std::nullopt;
+  return SearchJournal{options.text("journal"),
+                       "requad-enumerate " + program::version_and_build(REQUAD_VERSION) + " " + run};
+}
+
+std::vector<int> as_ints(const IntegerVector& values) { return {values.begin(), values.end()}; }
+
+std::vector<int> required_ints(const Options& options, const std::string& name) {
+  const std::vector<std::int64_t> values = options.integers(name, 0, 100'000);
+  std::vector<int> ints;
+  for (const std::int64_t value : values) ints.push_back(static_cast<int>(value));
+  return ints;
+}
+
+std::string lines_of(const std::vector<std::string>& texts) {
+  std::string lines;
+  for (const std::string& text : texts) lines += text + "\n";
+  return lines;
+}
+
+void finish(const Options& options, const nlohmann::ordered_json& summary, const std::string& text,
+            const mesh::Region* region, const std::string& comment) {
+  program::Outputs outputs;
+  if (region != nullptr && options.has("output"))
+    outputs.add(options.text("output"), mesh::obj_text(*region, {comment}));
+  program::finish(options, summary.dump(), text, std::move(outputs));
+}
+
+}  // namespace requad::enumerate

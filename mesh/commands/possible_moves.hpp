@@ -1,0 +1,32 @@
+// The moves that a pair can make, for the commands that list them and that make one of them.
+//
+// A pair of free vertices that spans a rectangle moves by the steps of section 6. Any other pair moves by a transport: an
+// adjacent 3-5 pair leaves one vertex along an edge and is carried to the other, which absorbs it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mesh/commands/session.hpp"
+
+namespace requad::edit {
+
+struct PossibleMove {
+  std::string name;    // a step such as "open", or "from 12 to 13" for a transport
+  std::string effect;  // empty if the move is refused
+  mesh::Refusal refusal = mesh::Refusal::none;
+  int operations = 0;
+  int faces_gained = 0;
+};
+
+// Makes each move of the pair in turn, calls visit(), and takes the move back. Stops when visit() returns true; the mesh
+// is then as that move left it. Refusal: wrong_valences if no vertex of the pair has a sector that lacks or exceeds one
+// quad.
+mesh::Refusal for_each_move(Session& session, mesh::VertexId a, mesh::VertexId b,
+                            const std::function<bool(const PossibleMove&)>& visit);
+
+// A command line may name one vertex alone, which can not move (Theorem 7.1): the exit code that says so.
+bool names_one_vertex(const Session& session);
+int refuse_one_vertex(Session& session);
+
+}  // namespace requad::edit

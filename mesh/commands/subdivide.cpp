@@ -1,0 +1,44 @@
+// requad-edit subdivide: cuts every polygon into quads.
+
+#include <nlohmann/json.hpp>
+
+#include "mesh/commands/arguments.hpp"
+#include "mesh/commands/commands.hpp"
+#include "mesh/files/write_obj.hpp"
+
+namespace requad::edit {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+int subdivide(const program::Options& options) {
+  const std::string output = output_path(options, "subdivide");
+  const mesh::Surface surface = mesh::read_surface(options.words().front(), true);
+  program::Outputs outputs;
+  outputs.add(output, mesh::obj_text(surface.mesh, surface.positions));
+  const int vertices = surface.mesh.vertex_count(), faces = surface.mesh.face_count();
+  program::finish(
+      options, ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
+      counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n", std::move(outputs));
+  return program::kDone;
+}
+
+}  // namespace
+
+program::Command subdivide_command() {
+  return {
+      .name = "subdivide",
+      .usage = {"IN -o OUT"},
+      .summary = "cuts each polygon with n sides into n quads",
+      .text = R"(The vertices of IN keep their numbers and places. The middles of the edges
+follow them, then the middles of the faces.
+)",
+      .examples = {"requad-edit subdivide mesh/examples/figure-18.obj -o fine.obj"},
+      .options = {output_option()},
+      .words = {1, 1},
+      .run = subdivide,
+  };
+}
+
+}  // namespace requad::edit

@@ -1,0 +1,134 @@
+// Help texts, laid out from the table of commands.
+
+#include <algorithm>
+#include <sstream>
+
+#include "mesh/program/program.hpp"
+
+namespace requad::program {
+
+namespace {
+
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kWidestLeft = 24;  // what is longer has a line of its own
+
+std::string blanks(std::size_t count) { return std::string(count, ' '); }
+
+// The text in lines of at most kWidth characters, each after `indent` blanks. A line of the text that starts with blanks
+// is an entry of a list, "  name  meaning": what it is broken into starts below the meaning, or below the name if there
+// is no meaning.
+std::vector<std::string> wrapped(const std::string& text, std::size_t indent) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string entry; std::getline(in, entry);) {
+    std::size_t hanging = std::min(entry.find_first_not_of(' '), entry.size());
+    if (const std::size_t gap = entry.find("  ", hanging); hanging > 0 && gap != std::string::npos)
+      hanging = entry.find_first_not_of(' ', gap);
+    std::string rest = blanks(indent) + entry;
+    const std::string margin = blanks(indent + hanging);
+    while (rest.size() > kWidth) {
+      const std::size_t space = rest.rfind(' ', kWidth);
+      if (space == std::string::npos || space < margin.size()) break;  // one word is wider than a line
+      lines.push_back(rest.substr(0, space));
+      rest = margin + rest.substr(space + 1);
+    }
+    lines.push_back(rest);
+  }
+  return lines;
+}
+
+// "-o, --output FILE".
+std::string left_column(const Option& option) {
+  const std::string name = option.long_name();
+  const std::string letter = name == option.name ? "" : "-" + option.name.substr(name.size() + 1) + ", ";
+  return letter + "--" + name + (option.argument.empty() ? "" : " " + option.argument);
+}
+
+std::string options_text(const std::vector<Option>& options) {
+  std::size_t width = 0;
+  for (const Option& option : options) {
+    const std::size_t size = left_column(option).size();
+    if (size <= kWidestLeft) width = std::max(width, size);
+  }
+  const std::size_t indent = width + 4;
+  std::string text;
+  for (const Option& option : options) {
+    const std::string left = "  " + left_column(option);
+    std::vector<std::string> lines = wrapped(option.meaning, indent);
+    if (left.size() + 2 <= indent && !lines.empty()) {
+      lines.front().replace(0, left.size(), left);
+    } else {
+      lines.insert(lines.begin(), left);
+    }
+    for (const std::string& line : lines) text += line + "\n";
+  }
+  return text;
+}
+
+// "  requad-edit info IN", one line for each form.
+std::string usage_text(const Program& program, const Command& command) {
+  std::string text;
+  for (const std::string& form : command.usage) {
+    text += "  " + program.name;
+    for (const std::string& part : {command.name, form}) text += (part.empty() ? "" : " ") + part;
+    text += "\n";
+  }
+  return text;
+}
+
+std::string examples_text(const std::vector<std::string>& examples) {
+  std::string text = "\nExamples:\n";
+  for (const std::string& example : examples) text += "  " + example + "\n";
+  return text;
+}
+
+// A sentence, broken into lines.
+std::string sentence(const std::string& text) {
+  std::string broken;
+  for (const std::string& line : wrapped(text, 0)) broken += line + "\n";
+  return broken;
+}
+
+std::string exit_codes_text(const Program& program) { return sentence("Exit code: " + program.exit_codes); }
+
+// A paragraph, if there is one.
+std::string paragraph(const std::string& text) { return text.empty() ? "" : "\n" + text; }
+
+std::string own_text(const Command& command) {
+  return paragraph(command.text) + (command.options.empty() ? "" : "\nOptions:\n" + options_text(command.options));
+}
+
+}  // namespace
+
+std::string program_help(const Program& program) {
+  std::string text = sentence(program.name + ": " + program.summary);
+  std::string commands;
+  std::vector<std::string> examples;
+  for (const Command& command : program.commands) {
+    if (command.name.empty()) {
+      text += "\nUsage:\n" + usage_text(program, command) + own_text(command);
+      examples.insert(examples.end(), command.examples.begin(), command.examples.end());
+    } else {
+      commands += usage_text(program, command);
+      for (const std::string& line : wrapped(command.summary, 6)) commands += line + "\n";
+      if (!command.examples.empty()) examples.push_back(command.examples.front());
+    }
+  }
+  text += "\nCommands:\n" + commands + "`" + program.name + " COMMAND --help` explains a command and its options.\n";
+  return text + paragraph(program.text) + "\nCommon options:\n" + options_text(common_options()) + "\n" +
+         exit_codes_text(program) + examples_text(examples);
+}
+
+std::string command_help(const Program& program, const Command& command) {
+  std::string common;
+  for (const Option& option : common_options()) {
+    const std::string argument = option.argument.empty() ? "" : " " + option.argument;
+    common += (common.empty() ? "--" : "  --") + option.long_name() + argument;
+  }
+  const std::string title = program.name + (command.name.empty() ? "" : " " + command.name);
+  return sentence(title + ": " + command.summary) + "\nUsage:\n" + usage_text(program, command) + own_text(command) +
+         paragraph(program.text) + "\nCommon options: " + common + "\n" + exit_codes_text(program) +
+         examples_text(command.examples);
+}
+
+}  // namespace requad::program

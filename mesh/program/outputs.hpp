@@ -1,0 +1,46 @@
+// Files that a program writes: as a whole or not at all.
+//
+// An output is named by a path. "-" is standard output. Links are followed. A device or a pipe is written to as it is;
+// any other file is made anew beside its place, under a temporary name, and takes its place when it is complete.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace requad::program {
+
+// The files of one result. Either all of them are written or none.
+class Outputs {
+ public:
+  Outputs();
+  Outputs(Outputs&&) noexcept;
+  // Removes what was not committed.
+  ~Outputs();
+
+  // Writes the text to a temporary file at once; what goes to "-", a device or a pipe waits for commit(). Throws
+  // UsageError if the file can not be written or was added before.
+  void add(const std::string& path, std::string text);
+  // Writes to devices and pipes, then gives the files their names in the order in which they were added, then writes to
+  // standard output. Signals wait meanwhile. Throws UsageError if something can not be written; then no file has its
+  // name, unless the system refuses to rename a file that it let be made. run() reports if standard output fails.
+  void commit();
+
+ private:
+  struct Output;
+  std::vector<Output> outputs_;
+  std::set<std::string> identities_;  // of the files
+};
+
+// Writes one output by itself. Throws UsageError.
+void write_text(const std::string& path, std::string text);
+
+// The next two are for long work: call them before it.
+
+// Throws the UsageError that write_text() would throw, as far as that can be known without writing. Returns a text that
+// is equal for two paths of one file; "-" for standard output, "" for a device or pipe.
+std::string require_writable(const std::string& path);
+// The same for a folder, which exists or is to be made.
+void require_folder(const std::string& path);
+
+}  // namespace requad::program

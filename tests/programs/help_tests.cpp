@@ -1,0 +1,173 @@
+// Help texts, and the table of commands that they are laid out from.
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "mesh/program/program.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/programs.hpp"
+
+using namespace requad;
+using namespace requad::tests;
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+const std::vector<std::string>& programs() {
+  static const std::vector<std::string> all{"edit", "enumerate", "verify", "figures"};
+  return all;
+}
+
+// The commands that the help of a program lists, by the words after the program's name.
+std::vector<std::string> commands_of(const std::string& program) {
+  std::vector<std::string> names;
+  bool listed = false;
+  const std::string start = "  requad-" + program + " ";
+  for (const std::string& line : lines_of(call(program, "--help").out)) {
+    if (line == "Commands:") listed = true;
+    if (line.empty()) listed = false;
+    if (!listed || line.rfind(start, 0) != 0) continue;
+    const std::string name = line.substr(start.size(), line.find(' ', start.size()) - start.size());
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  return names;
+}
+
+// The help of a program, then of each of its commands, by what was called.
+std::map<std::string, std::string> help_texts(const std::string& program) {
+  std::map<std::string, std::string> texts{{program, call(program, "--help").out}};
+  for (const std::string& command : commands_of(program))
+    texts[program + " " + command] = call(program, command + " --help").out;
+  return texts;
+}
+
+std::set<std::string> examples_of(const std::string& help) {
+  std::set<std::string> examples;
+  bool found = false;
+  for (const std::string& line : lines_of(help)) {
+    if (found && line.size() > 2) examples.insert(line.substr(2));
+    if (line == "Examples:") found = true;
+  }
+  return examples;
+}
+
+}  // namespace
+
+TEST_CASE("every command has a help of its own, no line is wide, and none is said twice", "[programs]") {
+  const std::map<std::string, std::size_t> counts{{"edit", 12}, {"enumerate", 6}, {"verify", 1}, {"figures", 1}};
+  for (const std::string& program : programs()) {
+    CHECK(commands_of(program).size() == counts.at(program));
+    for (const auto& [called, help] : help_texts(program)) {
+      INFO("requad-" << called << " --help\n" << help);
+      CHECK(help.find("\nExit code: ") != std::string::npos);
+      CHECK_FALSE(examples_of(help).empty());
+      std::set<std::string> met;
+      for (const std::string& line : lines_of(help)) {
+        if (line.empty()) continue;
+        CHECK(met.insert(line).second);
+        const bool is_command = line.rfind("  requad-", 0) == 0 || line.rfind("  mpirun ", 0) == 0;
+        if (!is_command) CHECK(line.size() <= 80);
+        CHECK(line.back() != ' ');
+      }
+    }
+  }
+}
+
+TEST_CASE("the examples of the help texts work as printed", "[programs]") {
+  // These take minutes, or need MPI.
+  const std::set<std::string> left_out{
+      "requad-verify", "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
+      "mpirun -n 4 requad-verify --hexagon 3..15 --journal run.journal --json report.json"};
+  std::filesystem::create_directories(scratch() / "examples");
+  std::filesystem::create_directory_symlink(REQUAD_SOURCE_DIR "/mesh", scratch() / "examples/mesh");
+  std::size_t run = 0;
+  std::set<std::string> done;
+  for (const std::string& program : programs()) {
+    for (const auto& [called, help] : help_texts(program)) {
+      for (const std::string& example : examples_of(help)) {
+        if (left_out.count(example) > 0 || !done.insert(example).second) continue;
+        spill(scratch() / "script",
+              "cd examples && export PATH='" REQUAD_PROGRAM_DIR "':\"$PATH\" && " + example + "\n");
+        const Outcome outcome = call("edit", "--version >/dev/null; timeout 100 bash script");
+        INFO(example << "\n" << outcome.err);
+        CHECK(outcome.code == 0);
+        ++run;
+      }
+    }
+  }
+  CHECK(run > 30);
+}
+
+TEST_CASE("an option of another command is refused", "[programs]") {
+  CHECK(call("edit", "info a.obj --iterations 3").err ==
+        "requad-edit: info: has no use for --iterations; see --help\n");
+  CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 --from 1,1").err ==
+        "requad-enumerate: graph: has no use for --from; see --help\n");
+  CHECK(call("verify", "check proof --digon 3..4").err == "requad-verify: check: has no use for --digon; see --help\n");
+  CHECK(call("figures", "--pair 3-3").err == "requad-figures: there is no use for --pair; see --help\n");
+  CHECK(call("figures", "--explorer --sides 6,6 --pair 3-3 --page").err ==
+        "requad-figures: --explorer: has no use for --page; see --help\n");
+  CHECK(call("edit", "info a.obj --dance").err == "requad-edit: unrecognised option '--dance'; see --help\n");
+}
+
+TEST_CASE("the value of an option is not taken for the name of a command", "[programs]") {
+  const Outcome outcome = call("enumerate", "-o graph region digon 2 1 3,2");
+  CHECK(outcome.code == 0);
+  CHECK(std::filesystem::exists(scratch() / "graph"));
+}
+
+TEST_CASE("a command's help is laid out from its table", "[programs]") {
+  const program::Command command{
+      .name = "boil",
+      .usage = {"EGG"},
+      .summary = "boils an egg",
+      .text = "The water should be hot.\n",
+      .examples = {"cook boil egg.obj"},
+      .options =
+          {
+              program::flag("soft", "stop early"),
+              program::value("minutes,m", "N",
+                             "how long; an egg that is boiled for a very long time is hard to eat "
+                             "and to digest, and takes energy\n"
+                             "  4   soft\n"
+                             "  10  hard, and this entry goes on below its own first word"),
+              program::output("a-rather-long-name", "FILE", "where it goes"),
+          },
+      .words = {1, 1},
+      .run = {},
+  };
+  const program::Program program{"cook", "1", "makes breakfast", "0 done", "EGG is fresh.\n", {command}};
+  CHECK(program::command_help(program, command) == R"(cook boil: boils an egg
+
+Usage:
+  cook boil EGG
+
+The water should be hot.
+
+Options:
+  --soft           stop early
+  -m, --minutes N  how long; an egg that is boiled for a very long time is hard
+                   to eat and to digest, and takes energy
+                     4   soft
+                     10  hard, and this entry goes on below its own first
+                         word
+  --a-rather-long-name FILE
+                   where it goes
+
+EGG is fresh.
+
+Common options: --json FILE|-  --threads N  --quiet  --help  --version
+Exit code: 0 done
+
+Examples:
+  cook boil egg.obj
+)");
+}
