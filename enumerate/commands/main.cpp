@@ -29,6 +29,7 @@ using program::UsageError;
 using theory::Configuration;
 using theory::IntegerVector;
 using theory::PairType;
+using theory::RegionShape;
 
 constexpr const char* kHelp =
     R"(requad-enumerate: regions of quad meshes, their irregular vertices, and all their fillings
@@ -84,8 +85,8 @@ PairType parse_shape(const std::string& text) {
 }
 
 // The one configuration of the region that has this label.
-Configuration find_configuration(PairType type, const IntegerVector& sides, const std::string& text,
-                                 const char* option) {
+Configuration find_configuration(const RegionShape& shape, const std::string& text, const char* option) {
+  const PairType type = shape.type();
   const std::vector<std::int64_t> at = program::parse_integers(text, option);
   const bool third = type.symmetric() && type.rotation_count() > 1;
   const bool merged = type.symmetric() && at.size() >= 2 && at[0] == 0 && at[1] == 0;
@@ -95,8 +96,8 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
                       : type.symmetric() ? "d1,d2"
                                          : "m,n"));
   }
-  std::vector<Configuration> all = theory::parameter_set(type, sides);
-  if (merged) all = theory::merged_configurations(type, sides);
+  std::vector<Configuration> all = theory::parameter_set(shape);
+  if (merged) all = theory::merged_configurations(shape);
   for (const Configuration& c : all) {
     const theory::GridPoint here = theory::grid_point(type, c);
     if (here.m == at[0] && here.n == at[1] && (!third || merged || c.p == at[2])) return c;
@@ -108,28 +109,31 @@ Configuration find_configuration(PairType type, const IntegerVector& sides, cons
   throw UsageError(std::string(option) + ": (" + text + ") is no configuration of this region");
 }
 
-IntegerVector required_sides(const Options& options, PairType type) {
+PairType required_pair(const Options& options) {
+  if (!options.has("pair")) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
+  return parse_pair(options.text("pair"));
+}
+
+// The region that --sides and --pair ask for.
+RegionShape required_shape(const Options& options) {
+  const PairType type = required_pair(options);
   if (!options.has("sides")) throw UsageError("--sides is missing; expected side lengths as in --sides 9,9");
   IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
-  if (const std::string problem = theory::sides_problem(type, sides); !problem.empty())
+  if (const std::string problem = RegionShape::problem(type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
+  RegionShape shape(type, std::move(sides));
   // What exploring would keep in memory: every configuration's mesh.
   constexpr double kMostQuads = 2e8;
-  const auto longest = static_cast<double>(sides.maxCoeff());
+  const auto longest = static_cast<double>(shape.longest());
   const double area = longest * longest / 2;
   const double configurations =
-      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
+      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(shape));
   if (area * std::max(configurations, 1.0) > kMostQuads) {
     throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) +
                      " configurations of some " + std::to_string(static_cast<std::int64_t>(area)) +
                      " quads are more than this command keeps in memory");
   }
-  return sides;
-}
-
-PairType required_pair(const Options& options) {
-  if (!options.has("pair")) throw UsageError("--pair is missing; expected 3-3, 5-5 or 3-5");
-  return parse_pair(options.text("pair"));
+  return shape;
 }
 
 // With the region that -o asks for, if it does.
@@ -172,7 +176,8 @@ int region(const Options& options, const std::vector<std::string>& words) {
   } else if (generator == "grow") {
     made = enumerate::grow_region(type, c);
   } else if (generator == "moves") {
-    made = enumerate::realise(type, sides, enumerate::simplest_configuration(type, sides), c).region;
+    const RegionShape shape(type, sides);
+    made = enumerate::realise(shape, enumerate::simplest_configuration(shape), c).region;
   } else {
     throw UsageError("--generator: '" + generator + "' is not one of glue, grow, moves");
   }
@@ -194,14 +199,13 @@ int region(const Options& options, const std::vector<std::string>& words) {
 
 int graph(const Options& options) {
   options.allow_only("graph", {"sides", "pair", "with-apex", "format", "output"});
-  const PairType type = required_pair(options);
-  const IntegerVector sides = required_sides(options, type);
+  const RegionShape shape = required_shape(options);
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
   const std::string format = options.text("format", "json");
   if (format != "json" && format != "dot" && format != "graphml") {
     throw UsageError("--format: '" + format + "' is not one of json, dot, graphml");
   }
-  const enumerate::Exploration found = enumerate::explore_all(type, sides, apex);
+  const enumerate::Exploration found = enumerate::explore_all(shape, apex);
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), enumerate::graph_json(found, apex).dump() + "\n");
   if (options.has("output") || !options.on_stdout("json")) {
@@ -217,24 +221,20 @@ int graph(const Options& options) {
 
 int path(const Options& options) {
   options.allow_only("path", {"sides", "pair", "from", "to", "output"});
-  const PairType type = required_pair(options);
-  const IntegerVector sides = required_sides(options, type);
+  const RegionShape shape = required_shape(options);
   for (const char* end : {"from", "to"}) {
     if (!options.has(end))
       throw UsageError(std::string("--") + end + " is missing; expected a label as in --" + end + " 1,1");
   }
-  const Configuration from = find_configuration(type, sides, options.text("from"), "--from");
-  const Configuration to = find_configuration(type, sides, options.text("to"), "--to");
-  const enumerate::Realisation made = enumerate::realise(type, sides, from, to);
-  ordered_json json{{"sides", as_ints(sides)},
-                    {"pair", type.name()},
-                    {"path", ordered_json::array()},
-                    {"moves", ordered_json::array()},
-                    {"operations", ordered_json::array()},
-                    {"signature", mesh::signature(made.region)}};
+  const Configuration from = find_configuration(shape, options.text("from"), "--from");
+  const Configuration to = find_configuration(shape, options.text("to"), "--to");
+  const enumerate::Realisation made = enumerate::realise(shape, from, to);
+  ordered_json json{{"sides", as_ints(shape.sides())},     {"pair", shape.type().name()},
+                    {"path", ordered_json::array()},       {"moves", ordered_json::array()},
+                    {"operations", ordered_json::array()}, {"signature", mesh::signature(made.region)}};
   std::string text;
   for (std::size_t i = 0; i < made.path.size(); ++i) {
-    const std::string label = theory::label(type, made.path[i]);
+    const std::string label = theory::label(shape.type(), made.path[i]);
     json["path"].push_back(label);
     if (i > 0) {
       json["moves"].push_back(mesh::name(made.moves[i - 1].step));
@@ -247,7 +247,8 @@ int path(const Options& options) {
     json["operations"].push_back(mesh::to_string(op));
     text += mesh::to_string(op) + "\n";
   }
-  finish(options, json, text, &made.region, theory::label(type, to) + " reached from " + theory::label(type, from));
+  finish(options, json, text, &made.region,
+         theory::label(shape.type(), to) + " reached from " + theory::label(shape.type(), from));
   return program::kDone;
 }
 

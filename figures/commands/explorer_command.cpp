@@ -16,14 +16,16 @@ int explorer_command(const program::Options& options) {
   const auto type = theory::pair_type(options.text("pair"));
   if (!type) throw UsageError("--pair: '" + options.text("pair") + "' is not one of 3-3, 5-5, 3-5");
   const theory::IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
-  if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
+  if (const std::string problem = theory::RegionShape::problem(*type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
+  const theory::RegionShape shape(*type, sides);
+  if (const std::string problem = explorer_problem(shape); !problem.empty()) throw UsageError("--sides: " + problem);
   const std::string path = options.text("output", "explorer.html");
   options.require_outputs({"json", "output"});
   program::require_writable(path);
 
-  const enumerate::Exploration found = enumerate::explore_all(*type, sides, theory::Apex::with);
-  const nlohmann::ordered_json data = explorer_data(found, sides);
+  const enumerate::Exploration found = enumerate::explore_all(shape, theory::Apex::with);
+  const nlohmann::ordered_json data = explorer_data(found);
   const std::string page = explorer_page(data);
 
   const auto& claims = data["claims"];

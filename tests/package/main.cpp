@@ -3,7 +3,7 @@
 #include "theory/counts.hpp"
 
 int main() {
-  const auto found = requad::enumerate::explore_all(
-      requad::theory::kDigon, requad::theory::IntegerVector::Constant(2, 5), requad::theory::Apex::without);
+  const auto shape = requad::theory::RegionShape::regular(requad::theory::kDigon, 5);
+  const auto found = requad::enumerate::explore_all(shape, requad::theory::Apex::without);
   return found.nodes.size() == 4 && requad::theory::tau_digon(5) == 4 ? 0 : 1;
 }
