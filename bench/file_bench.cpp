@@ -2,7 +2,8 @@
 
 #include "bench/file_bench.hpp"
 
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/read_polygons.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/topology/validate.hpp"
 

@@ -117,9 +117,9 @@ class Walker {
         h = m_.ccw(h);
       } while (h != m_.out(v));
     }
-    mesh::follow(m_, std::span(arrivals_).first(n), m_.half_edge_capacity());
+    mesh::trace_ends(m_, std::span(arrivals_).first(n), m_.half_edge_capacity());
     for (std::size_t i = 0; i < n; ++i) {
-      const mesh::Arrival& arrival = arrivals_[i];
+      const mesh::SeparatrixEnd& arrival = arrivals_[i];
       result_.traced += arrival.length;
       const VertexId at = m_.target(arrival.last);
       Crossing& crossing = crossings_[i];
@@ -275,7 +275,7 @@ class Walker {
   Here here_;
   // The separatrices as traced last.
   std::array<HalfEdgeId, 2 * theory::kMostSeparatrices> starts_;
-  std::array<mesh::Arrival, 2 * theory::kMostSeparatrices> arrivals_;
+  std::array<mesh::SeparatrixEnd, 2 * theory::kMostSeparatrices> arrivals_;
   std::array<Crossing, 2 * theory::kMostSeparatrices> crossings_;
   std::array<std::size_t, 2> count_{};
   std::vector<std::uint8_t> tried_;     // by number: a bit for each slot

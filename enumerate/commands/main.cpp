@@ -11,7 +11,7 @@
 #include "enumerate/realisation.hpp"
 #include "enumerate/search/search.hpp"
 #include "enumerate/search/spheres.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/program/options.hpp"
 #include "mesh/program/program.hpp"

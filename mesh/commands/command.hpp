@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/files/feature_edges.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/program/options.hpp"
 
 namespace requad::edit {

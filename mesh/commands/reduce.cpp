@@ -8,7 +8,7 @@
 
 #include "mesh/commands/session.hpp"
 #include "mesh/geometry/diagnosis.hpp"
-#include "mesh/geometry/nearest_points.hpp"
+#include "mesh/geometry/hausdorff_distance.hpp"
 
 namespace requad::edit {
 

@@ -4,7 +4,7 @@ namespace requad::mesh {
 
 namespace {
 
-// What the elements of one kind go back to, by id.
+// The vertices, or the faces, that exist, and the elements from before the edits that they descend from.
 class Ancestry {
  public:
   template <class Id>
@@ -31,15 +31,15 @@ class Ancestry {
   }
 
   template <class Id>
-  PlaceMap places(int capacity_before, const std::vector<Id>& live) const {
-    PlaceMap map;
+  FileIndexMap file_indices(int capacity_before, const std::vector<Id>& live) const {
+    FileIndexMap map;
     map.now.assign(static_cast<std::size_t>(capacity_before), -1);
-    for (std::size_t place = 0; place < live.size(); ++place) {
-      const std::size_t id = live[place].slot();
+    for (std::size_t index = 0; index < live.size(); ++index) {
+      const std::size_t id = live[index].slot();
       if (is_old_[id]) {
-        map.now[id] = static_cast<int>(place);
+        map.now[id] = static_cast<int>(index);
       } else {
-        map.made.push_back(static_cast<int>(place));
+        map.made.push_back(static_cast<int>(index));
         map.made_from.push_back(ancestor_[id]);
       }
     }
@@ -47,8 +47,8 @@ class Ancestry {
   }
 
  private:
-  std::vector<int> ancestor_;  // an id before; -1 where nothing ever was
-  std::vector<bool> is_old_;   // whether the element was there before
+  std::vector<int> ancestor_;  // by id: the ancestor's id before the edits; -1 if there never was such an element
+  std::vector<bool> is_old_;   // by id: whether the element was there before the edits
 };
 
 }  // namespace
@@ -62,8 +62,8 @@ ElementMap element_map(const QuadMesh& before, const Editor& editor) {
     vertices.make(edit.made_vertex(), edit.changed[0]);
     faces.make(edit.made_face(), QuadMesh::face(edit.operation.h));
   }
-  return {vertices.places(before.vertex_capacity(), editor.mesh().vertices()),
-          faces.places(before.face_capacity(), editor.mesh().faces())};
+  return {vertices.file_indices(before.vertex_capacity(), editor.mesh().vertices()),
+          faces.file_indices(before.face_capacity(), editor.mesh().faces())};
 }
 
 }  // namespace requad::mesh

@@ -1,4 +1,8 @@
-// Where the vertices and faces of a mesh are after edits, so that what belongs to them can follow.
+// Follows the vertices and faces of a mesh through edits, so that data that belongs to them can be carried over.
+//
+// Terms
+//   file index   of an element: its index among the live elements in the order of their ids, from 0. Files count in
+//                this way, so it is the element's index in the file of the mesh.
 #pragma once
 
 #include <vector>
@@ -7,23 +11,22 @@
 
 namespace requad::mesh {
 
-// Of one kind of elements. Places are those among the live elements in the order of their ids, from 0: what files
-// count.
-struct PlaceMap {
-  std::vector<int> now;   // by id before: the element's place after; -1 if it was removed, or was not there
-  std::vector<int> made;  // places after of the elements that were not there before, increasing
-  // Of each of these, the id before of what it comes from, whether that is still there or not: of a vertex, the one
-  // that it was split off, or what that came from; of a face, the first one of the sector that the split opened beside.
+// For the vertices, or for the faces.
+struct FileIndexMap {
+  std::vector<int> now;   // by id before the edits: the file index after them; -1 if there is no such element any more
+  std::vector<int> made;  // file indices after the edits of the elements that were made, increasing
+  // For each of these, the id before the edits of the element that it descends from, which may be gone. A vertex
+  // descends from the one that it was split from; a face from the first face of the sector beside which it was opened.
   std::vector<int> made_from;
 };
 
 struct ElementMap {
-  PlaceMap vertices;
-  PlaceMap faces;
+  FileIndexMap vertices;
+  FileIndexMap faces;
 };
 
-// What an editor has done since the mesh was `before`. An element that was removed is gone: one that was made later
-// with its id is another. Precondition: the editor has not forgotten anything. O(V + F + edits).
+// What an editor has done since the mesh was `before`. An element that was removed is gone, even if a later one has its
+// id. Precondition: the editor has not forgotten any edit. O(V + F + edits).
 ElementMap element_map(const QuadMesh& before, const Editor& editor);
 
 }  // namespace requad::mesh

@@ -9,7 +9,7 @@
 //   collapse  the corner that is removed is no end of a feature edge (the other corner of the diagonal may be one)
 //   split     no feature edge at v lies strictly inside the sector that the new vertex takes
 //
-// Boundary edges need no listing: no operation breaks one (basic_operations.hpp).
+// Boundary edges need no listing: no operation breaks one (law topology-6).
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@ namespace requad::mesh {
 
 namespace {
 
+// The corners of all inverted faces, whose number comes into `faces`.
 std::vector<VertexId> corners_of_inverted(const QuadMesh& m, const Positions& positions, int& faces) {
   std::vector<VertexId> corners;
   faces = 0;
@@ -22,8 +23,8 @@ std::vector<VertexId> corners_of_inverted(const QuadMesh& m, const Positions& po
 }  // namespace
 
 Untangling untangle(Editor& editor, SmoothingOptions how) {
-  constexpr int kWidest = 64;          // rings
-  constexpr int kIterationsARing = 8;  // so that a change reaches across the neighbourhood
+  constexpr int kWidest = 64;            // rings
+  constexpr int kIterationsPerRing = 8;  // so many that a change can cross the neighbourhood
   const QuadMesh& m = editor.mesh();
   BreadthFirstDistances around;
   Untangling result;
@@ -35,7 +36,7 @@ Untangling untangle(Editor& editor, SmoothingOptions how) {
     around.measure(m, corners, always, always, [rings](VertexId, int d) { return d > rings; });
     const std::vector<VertexId> near = around.met();
     const std::size_t mark = editor.mark();
-    how.iterations = kIterationsARing * rings;
+    how.iterations = kIterationsPerRing * rings;
     how.guard.reset();
     editor.smooth(near, how);
     how.guard = guard;

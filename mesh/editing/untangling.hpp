@@ -1,10 +1,10 @@
-// Fewer inverted quads, by relaxing round them.
+// Reduces the number of inverted quads by smoothing round them.
 //
-// A guarded step (smoothing.hpp) can not lead a fold out of itself: on the way some quad gets worse. So the vertices
-// round inverted quads are relaxed without a guard, as on a membrane, then with one; what did not help is taken back
-// and tried with a wider neighbourhood.
+// Guarded smoothing (smoothing.hpp) cannot undo a fold, because on the way some quad gets worse. So the vertices round
+// inverted quads are first smoothed without a guard, like a membrane, and then with one. If there are not fewer
+// inverted quads afterwards, that is taken back and tried with a wider neighbourhood.
 //
-// Law U. The number of inverted quads never grows, and no fixed vertex moves.
+// Law editing-21. The number of inverted quads never grows, and no fixed vertex moves.
 #pragma once
 
 #include "mesh/editing/affected_region.hpp"
@@ -12,12 +12,12 @@
 namespace requad::mesh {
 
 struct Untangling {
-  int before = 0;  // inverted faces
+  int before = 0;  // number of inverted faces
   int after = 0;
 };
 
-// As edits of the editor, which has positions. Weights and surface are those of `how`. Costs a few hundred smoothing
-// steps for each vertex near inverted faces, and O(F) for each round.
+// Makes edits of the editor, which must have positions. `how` has the weights, the guard of the second smoothing, and
+// the constraints. Costs a few hundred smoothing steps for each vertex near inverted faces, and O(F) for each attempt.
 Untangling untangle(Editor& editor, SmoothingOptions how);
 
 }  // namespace requad::mesh

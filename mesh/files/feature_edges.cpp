@@ -12,19 +12,86 @@ namespace {
 
 std::array<VertexId, 2> edge(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
-// From a to b along what was an edge in the file: a, b, or by the edge's middle if it was subdivided; empty if it was
-// none.
-std::vector<VertexId> edge_path(const Surface& surface, VertexId a, VertexId b) {
-  if (surface.mesh.adjacent(a, b)) return {a, b};
-  // After subdividing, a vertex of the file has edges to the middles of its edges only, and each of those to two of the
-  // file's vertices. (Before, no vertex is beyond the file's, and nothing is in the middle.)
-  const auto in_file = [&surface](VertexId v) { return surface.file_vertex[v.slot()] < surface.file_vertices; };
-  if (!in_file(a) || !in_file(b)) return {};
-  for (const VertexId middle : surface.mesh.neighbours(a)) {
-    if (!in_file(middle) && surface.mesh.adjacent(middle, b)) return {a, middle, b};
+class FeatureEdgeReader {
+ public:
+  FeatureEdgeReader(std::string_view text, const std::string& name, const Surface& surface)
+      : scanner_(name, text), surface_(surface) {}
+
+  FeatureEdges read() {
+    for (bool more = !scanner_.at_end_of_line() || scanner_.next_line(); more; more = scanner_.next_line()) read_line();
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    return std::move(edges_);
   }
-  return {};
-}
+
+ private:
+  void read_line() {
+    std::string_view word = scanner_.word();
+    const bool chain = word == "l";
+    const auto is_number = [](char c) { return (c >= '0' && c <= '9') || c == '-'; };
+    if (!chain && !is_number(word.front())) {
+      const char c = word.front();
+      if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) return;
+      scanner_.fail(TextScanner::quoted(word) + " is not a vertex");
+    }
+    if (chain) word = scanner_.word();
+    int count = 0;
+    VertexId last;
+    for (; !word.empty(); word = scanner_.word()) {
+      const VertexId v = vertex(word);
+      if (++count > 2 && !chain) scanner_.fail("more than two vertices; expected an edge, or a chain after `l`");
+      if (count > 1) add_edge(last, v);
+      last = v;
+    }
+    if (count < 2) scanner_.fail("fewer than two vertices; expected an edge");
+  }
+
+  VertexId vertex(std::string_view word) const {
+    const auto vertices = static_cast<std::int64_t>(surface_.from_file.size());
+    std::string_view rest;
+    const std::int64_t number = scanner_.integer(word, rest);
+    if (rest.starts_with('/')) rest = {};  // OBJ allows a texture coordinate here
+    if (!rest.empty()) scanner_.fail(TextScanner::quoted(word) + " is not a vertex");
+    if (number == 0 || number > vertices || number < -vertices) {
+      scanner_.fail("vertex " + std::to_string(number) + " does not exist; there are " + std::to_string(vertices) +
+                    ", counted from 1");
+    }
+    const int slot = surface_.from_file[static_cast<std::size_t>(number > 0 ? number - 1 : vertices + number)];
+    if (slot < 0) scanner_.fail("vertex " + std::to_string(number) + " is in no face");
+    return VertexId(slot);
+  }
+
+  void add_edge(VertexId a, VertexId b) {
+    const std::vector<VertexId> path = edge_path(a, b);
+    if (path.empty()) {
+      const auto number = [this](VertexId v) { return std::to_string(surface_.file_vertex[v.slot()] + 1); };
+      scanner_.fail("no edge joins the vertices " + number(a) + " and " + number(b));
+    }
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const HalfEdgeId h = surface_.mesh.find_half_edge(path[i - 1], path[i]);
+      if (h.valid() && !surface_.mesh.is_boundary(h)) edges_.push_back(edge(path[i - 1], path[i]));
+    }
+  }
+
+  // The path from a to b along an edge of the file: a, b; or a, the middle of the edge, b if it was subdivided; empty
+  // if the file has no such edge.
+  std::vector<VertexId> edge_path(VertexId a, VertexId b) const {
+    const QuadMesh& m = surface_.mesh;
+    if (m.adjacent(a, b)) return {a, b};
+    // In a subdivided mesh the neighbours of a vertex of the file are the middles of its edges, and each middle is
+    // adjacent to just two vertices of the file. (In other meshes all vertices are in the file.)
+    const auto in_file = [this](VertexId v) { return surface_.file_vertex[v.slot()] < surface_.file_vertices; };
+    if (!in_file(a) || !in_file(b)) return {};
+    for (const VertexId middle : m.neighbours(a)) {
+      if (!in_file(middle) && m.adjacent(middle, b)) return {a, middle, b};
+    }
+    return {};
+  }
+
+  TextScanner scanner_;
+  const Surface& surface_;
+  FeatureEdges edges_;
+};
 
 }  // namespace
 
@@ -40,56 +107,7 @@ FeatureEdges sharp_edges(const QuadMesh& m, const Positions& positions, double d
 }
 
 FeatureEdges parse_feature_edges(std::string_view text, const std::string& name, const Surface& surface) {
-  TextScanner scanner(name, text);
-  const auto vertices = static_cast<std::int64_t>(surface.from_file.size());
-  const auto vertex = [&](std::string_view word) {
-    std::string_view rest;
-    const std::int64_t number = scanner.integer(word, rest);
-    if (rest.starts_with('/')) rest = {};  // OBJ allows a texture coordinate here
-    if (!rest.empty()) scanner.fail(TextScanner::quoted(word) + " is not a vertex");
-    if (number == 0 || number > vertices || number < -vertices) {
-      scanner.fail("vertex " + std::to_string(number) + " does not exist; there are " + std::to_string(vertices) +
-                   ", counted from 1");
-    }
-    const int slot = surface.from_file[static_cast<std::size_t>(number > 0 ? number - 1 : vertices + number)];
-    if (slot < 0) scanner.fail("vertex " + std::to_string(number) + " is in no face");
-    return VertexId(slot);
-  };
-  const auto is_number = [](char c) { return (c >= '0' && c <= '9') || c == '-'; };
-
-  FeatureEdges edges;
-  for (bool more = !scanner.at_end_of_line() || scanner.next_line(); more; more = scanner.next_line()) {
-    std::string_view word = scanner.word();
-    const bool chain = word == "l";
-    if (!chain && !is_number(word.front())) {
-      const char c = word.front();
-      if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) continue;
-      scanner.fail(TextScanner::quoted(word) + " is not a vertex");
-    }
-    if (chain) word = scanner.word();
-    int count = 0;
-    VertexId last;
-    for (; !word.empty(); word = scanner.word()) {
-      const VertexId v = vertex(word);
-      if (++count > 2 && !chain) scanner.fail("more than two vertices; expected an edge, or a chain after `l`");
-      if (count > 1) {
-        const std::vector<VertexId> path = edge_path(surface, last, v);
-        if (path.empty()) {
-          const auto number = [&surface](VertexId u) { return std::to_string(surface.file_vertex[u.slot()] + 1); };
-          scanner.fail("no edge joins the vertices " + number(last) + " and " + number(v));
-        }
-        for (std::size_t i = 1; i < path.size(); ++i) {
-          const HalfEdgeId h = surface.mesh.find_half_edge(path[i - 1], path[i]);
-          if (h.valid() && !surface.mesh.is_boundary(h)) edges.push_back(edge(path[i - 1], path[i]));
-        }
-      }
-      last = v;
-    }
-    if (count < 2) scanner.fail("fewer than two vertices; expected an edge");
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  return FeatureEdgeReader(text, name, surface).read();
 }
 
 FeatureEdges read_feature_edges(const std::string& path, const Surface& surface) {

@@ -1,18 +1,28 @@
-// Numbers as text that nothing is lost in.
+// Writes numbers as text that reads back as the same bits.
 #pragma once
 
 #include <array>
 #include <charconv>
 #include <string>
 
-namespace requad {
+#include <Eigen/Core>
 
-// Adds a number in decimal: for a floating-point one the fewest digits that read back as the same bits, "-0" included.
-// Nothing depends on the locale.
+namespace requad::mesh {
+
+// Appends a number in decimal. A floating-point number gets the fewest digits that read back as the same bits; negative
+// zero is "-0". The locale has no influence.
 template <class Number>
 void append_number(std::string& text, Number value) {
   std::array<char, 32> buffer;
   text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
 }
 
-}  // namespace requad
+// Appends the three coordinates, each after a blank.
+inline void append_position(std::string& text, const Eigen::Vector3d& p) {
+  for (const double coordinate : p) {
+    text += ' ';
+    append_number(text, coordinate);
+  }
+}
+
+}  // namespace requad::mesh

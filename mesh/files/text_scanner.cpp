@@ -9,6 +9,8 @@
 #include <fstream>
 #include <new>
 
+#include "mesh/geometry/measures.hpp"
+
 namespace requad::mesh {
 
 TextScanner::TextScanner(std::string name, std::string_view text) : name_(std::move(name)), text_(text) {
@@ -46,7 +48,7 @@ bool TextScanner::next_line() {
   while (true) {
     while (!at_end_of_line()) word();
     if (at_ == text_.size()) return false;
-    // All empty lines at once; the caller stands on the first word of a line, or at the end.
+    // Skips all empty lines at once. Afterwards the caller stands at the first word of a line, or at the end.
     while (const std::size_t length = line_end(at_)) {
       at_ += length;
       ++line_;
@@ -99,6 +101,15 @@ std::int64_t TextScanner::integer(const char* what) {
   return value;
 }
 
+Eigen::Vector3d TextScanner::position() {
+  Eigen::Vector3d p;
+  for (double& coordinate : p) {
+    coordinate = number("a coordinate");
+    if (std::abs(coordinate) > kLargestCoordinate) fail("a coordinate is larger than 1e70");
+  }
+  return p;
+}
+
 void TextScanner::fail(const std::string& reason) const { fail(name_, line_, reason); }
 
 void TextScanner::fail(const std::string& name, int line, const std::string& reason) {
@@ -119,7 +130,7 @@ std::string read_text(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
   std::ifstream in(path, std::ios::binary);
   if (!in) fail(std::strerror(errno));
-  // In pieces: a pipe does not know its size, and may have no end.
+  // The text is read in pieces, because a pipe does not know its size and may have no end.
   std::string text;
   constexpr std::size_t kLargestText = std::size_t{1} << 31;  // over thirty million quads
   constexpr std::size_t kPiece = std::size_t{1} << 20;

@@ -1,12 +1,15 @@
-// Takes a text apart line by line and word by word, and says in which line something is wrong.
+// Reads a text line by line and word by word, and reports errors with their line.
 //
-// Lines end in LF, CRLF or CR. A backslash before a line's end joins the next line to it; what follows a # at the start
-// of a word is a comment. A byte order mark is skipped. Nothing depends on the locale. Linear in the text, no copies.
+// A line ends in LF, CRLF or CR. A backslash at a line's end joins the next line to it. A # at the start of a word
+// starts a comment, up to the line's end. A byte order mark at the start of the text is skipped. The locale has no
+// influence. Cost: linear in the text, which is not copied.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include <Eigen/Core>
 
 #include "mesh/files/file_error.hpp"
 
@@ -14,20 +17,22 @@ namespace requad::mesh {
 
 class TextScanner {
  public:
-  // `name` stands for the text in messages; the text is not copied.
+  // `name` stands for the text in messages. The text must outlive the scanner.
   TextScanner(std::string name, std::string_view text);
 
-  // Goes to the next line that holds a word; false at the end of the text. What is left of the present line is skipped.
+  // Skips what is left of this line and goes to the next line that holds a word. Returns false at the end of the text.
   bool next_line();
   // The next word of the line; empty at its end.
   std::string_view word();
   bool at_end_of_line();
 
-  // The next word as a finite number or as an integer; `what` names it if it is missing.
+  // The next word as a finite number, or as an integer. `what` names it in the message if it is missing.
   double number(const char* what);
   std::int64_t integer(const char* what);
-  // A whole word, or the start of one, as an integer: what is left of it, in `rest`, the caller must look at.
+  // The integer at the start of `text`. What follows it comes into `rest`, which the caller must check.
   std::int64_t integer(std::string_view text, std::string_view& rest) const;
+  // The next three words as a position, whose coordinates are within kLargestCoordinate (measures.hpp) of 0.
+  Eigen::Vector3d position();
 
   int line() const { return line_; }
   std::size_t bytes_left() const { return text_.size() - at_; }
@@ -40,7 +45,7 @@ class TextScanner {
   static std::string quoted(std::string_view word);
 
  private:
-  // How many characters from `at` on end a line: 0 (none does), 1 or 2.
+  // How many characters, from `at` on, end a line: 0 if none does, else 1 or 2.
   std::size_t line_end(std::size_t at) const;
   void skip_blanks();
 
@@ -50,7 +55,8 @@ class TextScanner {
   int line_ = 1;
 };
 
-// A whole file of text: at most 2 GiB, no zero byte. Throws FileError with a one-line reason, early on pipes.
+// The content of a text file or pipe: at most 2 GiB without a zero byte. Throws FileError
+// "path: can not be read: reason". Of a pipe that has no end, or no text, no more is read than shows that.
 std::string read_text(const std::string& path);
 
 }  // namespace requad::mesh

@@ -10,10 +10,7 @@ std::string obj_text(const QuadMesh& m, const Positions& positions, const std::v
   for (const std::string& comment : comments) text += "# " + comment + '\n';
   for (const VertexId v : m.vertices()) {
     text += 'v';
-    for (const double coordinate : positions[v.slot()]) {
-      text += ' ';
-      append_number(text, coordinate);
-    }
+    append_position(text, positions[v.slot()]);
     text += '\n';
   }
   for (const auto& face : m.compact_faces()) {

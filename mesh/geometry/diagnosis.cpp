@@ -10,7 +10,7 @@ namespace requad::mesh {
 
 namespace {
 
-// Of measure(element) over a list of elements.
+// The statistics of measure(element) over a list of elements.
 template <class Element, class Measure>
 Diagnosis::Statistics statistics(const std::vector<Element>& elements, const Measure& measure) {
   if (elements.empty()) return {};

@@ -1,4 +1,4 @@
-// What there is to say about a mesh before one edits it: its topology, its irregular vertices, how good its quads are.
+// Describes a mesh in numbers: its topology, its irregular vertices, and the quality of its quads.
 #pragma once
 
 #include <map>
@@ -15,17 +15,17 @@ struct Diagnosis {
   int components = 0;
   int boundary_loops = 0;
   int euler_characteristic = 0;
-  // The sum over the components of the genus of each, its boundary loops closed by disks: a handlebody of genus g and a
-  // sphere beside it have genus g together. 2 components - 2 genus - boundary loops is the Euler characteristic.
+  // The sum of the genera of the components, with their boundary loops closed by disks. (A surface of genus g and a
+  // sphere beside it have genus g together.) The Euler characteristic is 2 components - 2 genus - boundary loops.
   int genus = 0;
 
-  std::map<int, int> valences;  // of interior vertices, 4 included: how many have each
-  int interior_irregular = 0;   // interior vertices of a valence that is not 4
-  int doublets = 0;             // interior vertices of valence 2: two faces that share two edges
-  std::map<int, int> turns;     // of boundary vertices (region.hpp): 1 a corner, 0 straight, negative concave
+  std::map<int, int> valences;  // the number of interior vertices of each valence, 4 included
+  int interior_irregular = 0;   // the number of irregular vertices
+  int doublets = 0;             // interior vertices of valence 2: two faces share both edges
+  std::map<int, int> turns;     // the number of boundary vertices of each turn (region.hpp): 1 corner, 0 straight
   int boundary_irregular = 0;   // boundary vertices whose turn is not 0
 
-  // Of scaled_jacobian(), aspect_ratio() and edge_length(); all 0 for an empty mesh.
+  // Statistics of scaled_jacobian(), aspect_ratio() and edge_length(); all 0 for an empty mesh.
   struct Statistics {
     double least = 0;
     double mean = 0;
@@ -35,7 +35,7 @@ struct Diagnosis {
   Statistics aspect_ratio;
   Statistics edge_length;
   int degenerate = 0;  // faces without area
-  int inverted = 0;    // faces of scaled Jacobian <= 0, those without area too
+  int inverted = 0;    // inverted faces (measures.hpp); those without area are among them
   double bounding_box_diagonal = 0;
 };
 

@@ -18,7 +18,7 @@ using std::numbers::pi;
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 double doubled_area(const Vector2d& a, const Vector2d& b, const Vector2d& c) { return cross(b - a, c - a); }
 
-// The root of an increasing function between two arguments.
+// The root of an increasing function between two numbers.
 template <class Function>
 double bisect(double low, double high, Function&& f) {
   for (int i = 0; i < 200; ++i) {
@@ -30,26 +30,27 @@ double bisect(double low, double high, Function&& f) {
 
 // --- outlines --------------------------------------------------------------------------------------------------------
 
-// The corners of a polygon inscribed in a circle of radius 1, as angles from the first one on.
+// The polygon with these side lengths, inscribed in a circle: its corners as angles, the first of which is 0.
 std::vector<double> inscribed_angles(std::vector<double> lengths) {
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   double sum = 0;
   for (const double l : lengths) sum += l;
-  // Without a triangle inequality to spare the polygon would be flat: the longest side is then drawn shorter.
+  // If the longest side is nearly as long as the others together, or longer, it is drawn shorter, or the polygon would
+  // be flat.
   *longest = std::min(*longest, 0.8 * (sum - *longest));
-  // x = 1 / (2 radius): the arcs over all sides make a full turn, or, if the centre lies beyond the longest side, the
-  // arcs over the others make what the longest leaves.
+  // With x = 1 / (2 radius), the arcs over all sides make a full turn; if the centre lies beyond the longest side, that
+  // side has the greater arc of its chord. excess() is what the arcs make above a full turn.
   const double most = 1 / *longest;
   const auto excess = [&](double x, bool beyond) {
-    double turn = 0;
+    double total = 0;
     for (auto it = lengths.begin(); it != lengths.end(); ++it) {
       const double arc = 2 * std::asin(std::min(1.0, *it * x));
-      turn += it == longest && beyond ? 2 * pi - arc : arc;
+      total += it == longest && beyond ? 2 * pi - arc : arc;
     }
-    return turn - 2 * pi;
+    return total - 2 * pi;
   };
   const bool beyond = excess(most, false) < 0;
-  // Beyond, the excess is positive from 0 to the root, else negative.
+  // If the centre lies beyond, the excess is positive between 0 and the root; if not, it is negative there.
   const double x = beyond ? bisect(0, most, [&](double t) { return -excess(t, true); })
                           : bisect(0, most, [&](double t) { return excess(t, false); });
   std::vector<double> angles;
@@ -76,11 +77,11 @@ std::vector<Vector2d> polygon(const std::vector<int>& sides) {
   return points;
 }
 
-// The angle between the arcs of a lens, so that the chords of the two quads at its ends are near a right angle.
+// The angle between the arcs of a lens. It makes the angle of the quads at the ends about a right one.
 constexpr double kLensAngle = 2.1;
 
 std::vector<Vector2d> lens(int lower, int upper) {
-  // An arc over a chord of length 2 that leaves it at angle t is 2 t / sin t long.
+  // The length of half an arc over a chord of length 2 that it leaves at angle t.
   const auto length = [](double t) { return std::abs(t) < 1e-9 ? 1.0 : t / std::sin(t); };
   const double least = 0.25;
   const double first =
@@ -98,7 +99,8 @@ std::vector<Vector2d> lens(int lower, int upper) {
   return points;
 }
 
-// A quarter of the turn at the corner, the rest on a circle; the corner is at the bottom.
+// The corner is at the bottom and makes a quarter of the full turn. An arc of a circle and its two tangents make the
+// rest.
 std::vector<Vector2d> drop(int edges) {
   const double arc = 1.5 * pi;
   const double total = 2 + arc;  // the tangents are as long as the radius
@@ -118,10 +120,11 @@ std::vector<Vector2d> drop(int edges) {
 // --- energy ----------------------------------------------------------------------------------------------------------
 
 struct Corner {
-  std::array<int, 3> vertex;  // the corner's vertex, the next and the previous one, by slot
+  std::array<int, 3> vertex;  // slots of the corner's vertex, the next vertex and the previous one
 };
 
-// Energy, gradient and projected Hessian of one corner, in the coordinates (e1.x, e1.y, e2.x, e2.y).
+// Gradient of the energy of a corner, and its Hessian without a negative eigenvalue, in the coordinates
+// (e1.x, e1.y, e2.x, e2.y) of the corner's two edges.
 struct CornerTerms {
   Eigen::Vector4d gradient;
   Eigen::Matrix4d hessian;
@@ -146,8 +149,8 @@ CornerTerms corner_terms(const Vector2d& e1, const Vector2d& e2) {
   terms.gradient = (2 + 2 / d2) * x - 2 * square / d3 * d;
   terms.hessian = (2 + 2 / d2) * Eigen::Matrix4d::Identity() - 4 / d3 * (x * d.transpose() + d * x.transpose()) -
                   2 * square / d3 * dd + 6 * square / (d2 * d2) * d * d.transpose();
-  // The rotation nearest to J, turned by 90 degrees, is an eigenvector; with the singular values s1, s2 its eigenvalue
-  // is 2 - 2 (s1^-3 + s2^-3) / (s1 + s2).
+  // The rotation nearest to J, turned by 90 degrees, is an eigenvector. Its eigenvalue is
+  // 2 - 2 (s1^-3 + s2^-3) / (s1 + s2), where s1 and s2 are the singular values.
   const double sum_square = square + 2 * det;  // (s1 + s2)^2
   const double eigenvalue = 2 - 2 * (sum_square - 3 * det) / d3;
   if (eigenvalue < 0) {
@@ -168,7 +171,7 @@ class Drawer {
     for (const FaceId f : mesh.faces()) {
       const auto c = mesh.corners(f);
       for (std::size_t k = 0; k < 4; ++k) {
-        // The two quads of a v2 share 360 degrees: no angle of theirs is asked to be less than 180.
+        // The two quads at a vertex of valence 2 share 360 degrees, so one of the angles there is 180 or more.
         if (!mesh.is_boundary(c[k]) && mesh.face_valence(c[k]) == 2) continue;
         corners_.push_back({{c[k].index(), c[(k + 1) % 4].index(), c[(k + 3) % 4].index()}});
       }
@@ -234,7 +237,7 @@ class Drawer {
       const Eigen::VectorXd direction = solver.solve(-gradient);
       const double slope = gradient.dot(direction);
       if (!(slope < 0)) return;
-      // Backtracking: a step that flattens a corner has infinite energy.
+      // Backtracks to a step with less energy. (A step that flattens a corner has infinite energy.)
       std::vector<Vector2d> next;
       double next_value = 0;
       double length = 1;
@@ -298,7 +301,8 @@ class Drawer {
   double size_ = 1;
 };
 
-// Whether two segments have a point in common. Where they lie on one line, rounded areas say nothing, but boxes do.
+// Whether two segments have a point in common. If they lie on one line, rounding decides of the signs of areas, but
+// their bounding boxes tell.
 bool meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
   if ((a.cwiseMin(b).array() > c.cwiseMax(d).array()).any() || (c.cwiseMin(d).array() > a.cwiseMax(b).array()).any()) {
     return false;

@@ -79,8 +79,8 @@ double aspect_ratio(const QuadMesh& m, const Positions& positions, FaceId f) {
     longest = std::max(longest, length);
     perimeter += length;
   }
-  const double shadow = area_vector(c).norm();
-  return shadow > 0 ? longest * perimeter / (4 * shadow) : std::numeric_limits<double>::infinity();
+  const double projected_area = area_vector(c).norm();
+  return projected_area > 0 ? longest * perimeter / (4 * projected_area) : std::numeric_limits<double>::infinity();
 }
 
 double edge_length(const QuadMesh& m, const Positions& positions, HalfEdgeId h) {
@@ -93,15 +93,15 @@ double dihedral_angle(const QuadMesh& m, const Positions& positions, HalfEdgeId 
   const Vector3d left = face_normal(m, positions, QuadMesh::face(h));
   const Vector3d right = face_normal(m, positions, QuadMesh::face(t));
   if (left.isZero(0) || right.isZero(0)) return 0;
-  const Vector3d turn = left.cross(right);
-  const double angle = std::atan2(turn.norm(), left.dot(right));
-  // Over a ridge the normal turns, from the left face to the right one, about the edge's own direction.
-  return turn.dot(positions[m.target(h).slot()] - positions[m.origin(h).slot()]) >= 0 ? angle : -angle;
+  const Vector3d axis = left.cross(right);
+  const double angle = std::atan2(axis.norm(), left.dot(right));
+  // At a ridge, the rotation from the left normal to the right one has the direction of the edge as its axis.
+  return axis.dot(positions[m.target(h).slot()] - positions[m.origin(h).slot()]) >= 0 ? angle : -angle;
 }
 
 double mean_curvature(const QuadMesh& m, const Positions& positions, VertexId v) {
   double sum = 0;
-  // The last edge of a boundary fan has no half-edge out of v, but is a boundary edge: its angle is 0.
+  // The last edge of a boundary vertex, which has no half-edge out of v, is on the boundary: its angle is 0.
   m.for_each_out(v, [&](HalfEdgeId h) { sum += edge_length(m, positions, h) * dihedral_angle(m, positions, h) / 4; });
   return sum;
 }

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 namespace {
 
 using Box = Eigen::AlignedBox3d;
-using BoxTree = Eigen::KdBVH<double, 3, std::size_t>;  // of numbers
+using BoxTree = Eigen::KdBVH<double, 3, std::size_t>;  // whose objects are the numbers of triangles or points
 
 BoxTree box_tree(const std::vector<Box>& boxes) {
   std::vector<std::size_t> numbers(boxes.size());
@@ -29,9 +29,10 @@ struct Nearest {
   double squared = std::numeric_limits<double>::infinity();  // distance
 };
 
-// The nearest to p of what is below a node, unless `best` is nearer, the nearer box of two first; of equals the least
-// number, whatever the order in which the tree gives them. squared_distance(number) is to p. (Eigen's BVMinimize, with a
-// queue of boxes, takes memory for each query.)
+// Makes `best` the nearest of the objects below a node and of what it was. Of objects at the same distance the one with
+// the least number wins, whatever the order of the tree. squared_distance(number) is the distance of an object from p.
+// Descends into the nearer of two boxes first. (Eigen's BVMinimize keeps a queue of boxes, and so allocates memory for
+// each query.)
 template <class SquaredDistance>
 void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, const SquaredDistance& squared_distance,
                   Nearest& best) {
@@ -79,10 +80,10 @@ Vector3d nearest_on_triangle(const Triangle& t, const Vector3d& p) {
   if (va > 0 && vb > 0 && vc > 0) {
     const double sum = va + vb + vc;  // twice the area, squared
     best = a + ab * (vb / sum) + ac * (vc / sum);
-    // In a triangle that is nearly flat rounding decides of the three signs, and a side may be nearer.
+    // In a nearly flat triangle the three signs depend on rounding, and a point of a side may be nearer.
     if (sum > kFlat * ab.squaredNorm() * ac.squaredNorm()) return best;
   }
-  // Outside one side, or outside two at an obtuse corner, or flat: the nearest of the sides.
+  // p lies beyond one side, or beyond two at an obtuse corner, or the triangle is flat: the nearest point is on a side.
   for (const Vector3d& q : {nearest_on_segment(a, b, p), nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)}) {
     if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
   }
@@ -137,25 +138,6 @@ PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 Vector3d PointIndex::nearest(const Vector3d& p) const {
   const auto squared_distance = [&](std::size_t point) { return (tree_->points[point] - p).squaredNorm(); };
   return tree_->points[nearest_in(tree_->boxes, p, squared_distance).number];
-}
-
-double hausdorff_distance(Sampled a, Sampled b, int density) {
-  const auto one_sided = [density](const Sampled& from, const Sampled& to) {
-    const SurfaceIndex index(to.mesh, to.positions);
-    double farthest = 0;
-    for (const FaceId f : from.mesh.faces()) {
-      for (const Triangle& t : triangles(from.mesh, from.positions, f)) {
-        for (int i = 0; i <= density; ++i) {
-          for (int j = 0; i + j <= density; ++j) {
-            const Vector3d p = (i * t[0] + j * t[1] + (density - i - j) * t[2]) / density;
-            farthest = std::max(farthest, index.nearest(p).distance);
-          }
-        }
-      }
-    }
-    return farthest;
-  };
-  return std::max(one_sided(a, b), one_sided(b, a));
 }
 
 }  // namespace requad::mesh

@@ -1,4 +1,4 @@
-// The nearest point of a surface or of some points, and how far two surfaces are apart.
+// Nearest points: on a surface, and among some points.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,9 @@
 
 namespace requad::mesh {
 
-// The nearest point of a surface's triangles, from a tree of their boxes. Building O(F log F); a query close to the
-// surface about O(log F), a microsecond or two. Queries may run in parallel.
+// Finds nearest points on a surface, which consists of the triangles() of its faces, by a tree of their bounding boxes.
+// Building takes O(F log F). A query near the surface takes about O(log F), a microsecond or two. Threads may query at
+// the same time.
 class SurfaceIndex {
  public:
   struct Nearest {
@@ -25,7 +26,8 @@ class SurfaceIndex {
   SurfaceIndex(SurfaceIndex&&) noexcept;
   SurfaceIndex& operator=(SurfaceIndex&&) noexcept;
 
-  // Law: exact up to rounding. Of several nearest points, one; always the same.
+  // Law geometry-1. The result is exact up to rounding. If several points are nearest, it is always the same one of
+  // them.
   Nearest nearest(const Eigen::Vector3d& p) const;
 
  private:
@@ -33,10 +35,10 @@ class SurfaceIndex {
   std::unique_ptr<const Tree> tree_;
 };
 
-// The nearest of some points, likewise.
+// The same for the nearest of some points.
 class PointIndex {
  public:
-  // Precondition: there is a point.
+  // Copies the points. Precondition: there is at least one.
   explicit PointIndex(std::span<const Eigen::Vector3d> points);
   ~PointIndex();
   PointIndex(PointIndex&&) noexcept;
@@ -51,16 +53,5 @@ class PointIndex {
 
 // The nearest point of a triangle, which may be degenerate (C. Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 Eigen::Vector3d nearest_on_triangle(const Triangle& triangle, const Eigen::Vector3d& p);
-
-// The largest distance of a point of either surface to the other, over samples: each triangle's points with barycentric
-// coordinates in multiples of 1 / density, so its corners, density - 1 points of each side and some inside.
-// Law: the exact distance lies between the result and the result + (longest side of a triangle) / (sqrt(3) * density),
-// since distance is 1-Lipschitz and no point of a triangle is farther from a corner of its cell.
-// O(F density^2) queries. Precondition: both have a face; density >= 1.
-struct Sampled {
-  const QuadMesh& mesh;
-  const Positions& positions;
-};
-double hausdorff_distance(Sampled a, Sampled b, int density = 4);
 
 }  // namespace requad::mesh

@@ -18,7 +18,7 @@ Vector3d mean_of_neighbours(const QuadMesh& m, const Positions& positions, Verte
     double weight = 1;
     if (weights == SmoothingWeights::chord) {
       const double length = (q - p).norm();
-      // At a neighbour already: its weight is beyond all others.
+      // The vertex is at a neighbour, whose weight is infinite: it stays.
       coincides = coincides || !(length > std::numeric_limits<double>::min());
       if (coincides) return;
       weight = 1 / length;
@@ -36,7 +36,7 @@ class Smoother {
 
   void move(VertexId v) {
     const Vector3d from = positions_[v.slot()];
-    const Vector3d way = mean_of_neighbours(mesh_, positions_, v, options_.weights) - from;
+    const Vector3d to_target = mean_of_neighbours(mesh_, positions_, v, options_.weights) - from;
     const auto quality = [this](HalfEdgeId h) { return scaled_jacobian(mesh_, positions_, QuadMesh::face(h)); };
     before_.clear();
     if (options_.guard) mesh_.for_each_out(v, [&](HalfEdgeId h) { before_.push_back(quality(h)); });
@@ -44,7 +44,7 @@ class Smoother {
     constexpr int kHalvings = 3;
     double step = options_.step;
     for (int attempt = 0; attempt <= kHalvings; ++attempt, step /= 2) {
-      positions_[v.slot()] = held(from + step * way);
+      positions_[v.slot()] = constrained(from + step * to_target);
       if (!options_.guard) return;
       bool good = true;
       std::size_t i = 0;
@@ -59,7 +59,7 @@ class Smoother {
   }
 
  private:
-  Vector3d held(Vector3d p) const {
+  Vector3d constrained(Vector3d p) const {
     if (options_.pull_to) {
       const Vector3d anchor = options_.pull_to->nearest(p);
       const double distance = (p - anchor).norm();

@@ -1,22 +1,24 @@
-// Laplacian smoothing of chosen vertices, held to the surface they came from (the paper's section 8, "Smoothing").
+// Laplacian smoothing of chosen vertices, which are kept near the surface that they came from (section 8, "Smoothing").
 //
-// One iteration visits the vertices in the order given and moves each towards the mean of its neighbours, from where
-// the vertices before it have come to (Gauss-Seidel). So a step sees the faces as they will be, which the guard needs;
-// and the result depends on the order and on nothing else.
+// An iteration visits the vertices in the given order and moves each towards the mean of its neighbours, which use the
+// positions that this iteration has given them so far (Gauss-Seidel). So the guard sees the faces as they will be.
 //
-// A step of v, from p
-//   1. target   the weighted mean of the neighbours: all weights alike, or 1 / length of the edge (chord-length).
-//   2. held     the point p + step * (target - p), pulled to within `pull_distance` of the nearest point of `pull_to`,
-//               then moved to the nearest point of `project_to`, if these are given.
-//   3. guard    refused if a face at v would become worse and be at the guard's quality or below (scaled_jacobian);
-//               then tried again with half the step, three times at most.
+// A step of vertex v at p
+//   1. target       The weighted mean of the neighbours. All weights are equal, or each is 1 / length of its edge.
+//   2. constraint   The new point is p + step * (target - p). If `pull_to` is given, the point is moved to within
+//                   `pull_distance` of the nearest of those points. If `project_to` is given, it is then moved to the
+//                   nearest point of that surface.
+//   3. guard        The step is refused if it makes a face at v worse and leaves its quality, the scaled_jacobian(), at
+//                   the guard or below. It is then tried again with half the length, up to three times.
 //
 // Laws
-//   S1  Vertices of the boundary, those that `fixed` names and those not given keep their positions to the last bit.
-//   S2  With a guard g >= 0, no face above g comes to g or below, and none at g or below gets worse. So none becomes
-//       inverted.
-//   S3  Without a surface to project on and points to pull to, a step stays in the convex hull of v and its neighbours.
-// Cost: O(valence) for each vertex and iteration, and a query for what it is held to; the mesh's size does not matter.
+//   geometry-3  Boundary vertices, vertices that `fixed` names, and vertices that are not given keep their positions to
+//               the last bit.
+//   geometry-4  With a guard g >= 0, the quality of no face falls from above g to g or below, and no quality at g or
+//               below falls at all. So no face becomes inverted.
+//   geometry-5  Without `project_to` and `pull_to`, a step stays in the convex hull of v and its neighbours.
+// The result depends on the order of the vertices, and on nothing else.
+// Cost: O(valence) and the constraint's queries for each vertex and iteration, whatever the size of the mesh.
 #pragma once
 
 #include <functional>
@@ -35,14 +37,14 @@ struct SmoothingOptions {
   int iterations = 10;
   SmoothingWeights weights = SmoothingWeights::uniform;
   double step = 1;                      // in (0, 1]
-  std::optional<double> guard = 0.1;    // none: every step is taken
-  std::function<bool(VertexId)> fixed;  // of interior vertices: those on features; none if empty
+  std::optional<double> guard = 0.1;    // nothing: every step is made
+  std::function<bool(VertexId)> fixed;  // whether an interior vertex must not move; empty: all may move
   const SurfaceIndex* project_to = nullptr;
-  const PointIndex* pull_to = nullptr;  // the original mesh's vertices
+  const PointIndex* pull_to = nullptr;  // usually the vertices of the original mesh
   double pull_distance = 0;
 };
 
-// Precondition: the vertices are live. A vertex given twice moves twice.
+// Precondition: the vertices are live. A vertex that is given twice moves twice in each iteration.
 void smooth(const QuadMesh& mesh, Positions& positions, std::span<const VertexId> vertices,
             const SmoothingOptions& options);
 

@@ -61,7 +61,7 @@ bool DirectTransport::is_kept(VertexId v) const {
 bool DirectTransport::can_land(HalfEdgeId h) {
   if (!h.valid()) {
     refuse(EditRefusal::touches_boundary);
-  } else if (!is_regular_at(m_, h)) {
+  } else if (!leaves_regular_vertex(m_, h)) {
     const VertexId v = m_.origin(h);
     if (m_.is_boundary(v)) {
       refuse(EditRefusal::touches_boundary);

@@ -1,7 +1,6 @@
 #include "mesh/irregular/pair_frame.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <unordered_map>
 
 #include "mesh/topology/separatrix.hpp"
@@ -23,7 +22,7 @@ bool regular(const QuadMesh& m, VertexId v) { return !m.is_boundary(v) && m.face
 
 std::optional<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, int steps) {
   for (int i = 1; i < steps; ++i) {
-    if (!is_regular_at(m, QuadMesh::next(h))) return std::nullopt;
+    if (!leaves_regular_vertex(m, QuadMesh::next(h))) return std::nullopt;
     h = m.straight(h);
   }
   return h;
@@ -180,23 +179,6 @@ std::vector<FaceId> ring(const QuadMesh& m, const PairFrame& f) {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
-}
-
-int graph_distance(const QuadMesh& m, VertexId from, VertexId to) {
-  std::vector<int> distance(static_cast<std::size_t>(m.vertex_capacity()), -1);
-  std::deque<VertexId> queue{from};
-  distance[from.slot()] = 0;
-  while (!queue.empty()) {
-    const VertexId v = queue.front();
-    queue.pop_front();
-    if (v == to) return distance[v.slot()];
-    for (const VertexId w : m.neighbours(v)) {
-      if (distance[w.slot()] >= 0) continue;
-      distance[w.slot()] = distance[v.slot()] + 1;
-      queue.push_back(w);
-    }
-  }
-  return -1;
 }
 
 }  // namespace requad::mesh

@@ -75,7 +75,4 @@ std::optional<std::vector<FaceId>> grid(const QuadMesh& mesh, const PairFrame& f
 // (Lemma 7.8). In the order of their ids. Precondition: grid() is there, or the pair is merged. O(d1 d2 log(d1 d2)).
 std::vector<FaceId> ring(const QuadMesh& mesh, const PairFrame& frame);
 
-// The number of edges on a shortest path from one vertex to another; -1 if there is none. O(V).
-int graph_distance(const QuadMesh& mesh, VertexId from, VertexId to);
-
 }  // namespace requad::mesh

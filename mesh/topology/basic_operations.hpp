@@ -1,22 +1,26 @@
 // The three basic operations of section 4: edge flip, quad collapse, edge split.
 //
-// Each has a const query that says whether it is legal and why not, a checked call that leaves the mesh untouched when
-// it refuses, and an unchecked call whose precondition is that the query says Refusal::none.
+// Each operation has three entries: a const query, which decides whether it is legal and why not; a checked call, which
+// leaves the mesh untouched if the query refuses; and an unchecked call, which requires that the query says
+// Refusal::none.
 //
 // Laws, for every legal operation
-//   O1  The result satisfies the invariants of QuadMesh; Euler characteristic and orientation stay.
-//   O2  The boundary stays as a cycle of vertices: no boundary edge is made or removed. (Boundary vertices may change
-//       their valence; what must not touch them at all asks changed_vertices() first, as the pair moves do.)
-//   O3  Valences (Law B2 of the paper's section 4):
-//         flip      the two ends of the edge lose 1, the two vertices it turns to gain 1
-//         collapse  corners a, c merge into one of valence l(a) + l(c) - 2; corners b, d lose 1
-//         split     v parts into two vertices of valence g1 + 2 and g2 + 2, where g1, g2 edges lie strictly between the
-//                   two edges of the path, on either side; the path's ends gain 1
-//   O4  An operation followed by the inverse that apply() returns gives an equal mesh: same ids, same free ids next.
-//   O5  An operation touches the arrays of its own one or two faces, their neighbours' twins, and (collapse, split) the
-//       half-edges out of one vertex: O(1), or O(valence) of the vertex removed or made.
-// A flip is not its own inverse: three counter-clockwise flips bring an edge back, turned end for end, as three diagonals
-// of a hexagon join opposite corners.
+//   topology-5  The result satisfies the invariants of QuadMesh. The Euler characteristic and the orientation stay.
+//   topology-6  Each boundary loop stays as a cycle of vertices: no boundary edge is made or removed. The valence of a
+//               boundary vertex may change. (A caller that must not allow this, like the pair moves, looks at
+//               changed_vertices() first.)
+//   topology-7  Valences (claim B2; section 4):
+//                 flip      The two ends of the edge lose 1. The two vertices that become its ends gain 1.
+//                 collapse  Corners a and c merge into a vertex of valence l(a) + l(c) - 2. Corners b and d lose 1.
+//                 split     A path of two edges runs through v, with g1 edges of v strictly on one side and g2 on the
+//                           other. Vertex v becomes two vertices of valence g1 + 2 and g2 + 2. The path's ends gain 1.
+//   topology-8  An operation followed by the inverse that apply() returns gives an equal mesh: the same ids, and the
+//               same free ids next.
+//   topology-9  An operation writes to the arrays of its own one or two faces, to the twins of their neighbours, and,
+//               if it is a collapse or a split, to the half-edges out of one vertex. It takes O(1), or O(valence) of
+//               the vertex that is removed or made.
+// Not a law: a flip is not its own inverse. The three main diagonals of a hexagon join opposite corners, so the third
+// counter-clockwise flip brings an edge back with its ends exchanged.
 #pragma once
 
 #include <array>
@@ -62,7 +66,7 @@ Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations);
 
 enum class Rotation { counter_clockwise, clockwise };
 
-// Edge flip. The edge h = u -> v, between two quads that form a hexagon, turns by one corner of it:
+// Edge flip. The edge h = u -> v lies between two quads, which form a hexagon. Each end moves to the next corner of it:
 //
 //        p --- v --- s            p --- v --- s            p --- v --- s
 //        |     ^     |            | `.        |            |        ,' |
@@ -71,30 +75,33 @@ enum class Rotation { counter_clockwise, clockwise };
 //        q --- u --- r            q --- u --- r            q --- u --- r
 //            before             counter-clockwise            clockwise
 //
-// u and v lose an edge; p and r, or q and s, gain one. Faces keep their ids. Counter-clockwise, the edge is afterwards
-// next(h) in face(h); clockwise, previous(h).
+// u and v lose an edge; p and r, or q and s, gain one. The faces keep their ids. Afterwards the edge is next(h) in
+// face(h) if the flip was counter-clockwise, and previous(h) if it was clockwise.
 Refusal why_not_flip(const QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
 Refusal flip(QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
 void flip_unchecked(QuadMesh& mesh, HalfEdgeId h, Rotation rotation);
 
-// Quad collapse. In the face of h = a -> b with corners a, b, c, d, vertex c merges into a; the face and c disappear.
+// Quad collapse. The face of h = a -> b has the corners a, b, c, d. Vertex c merges into a; the face and c disappear.
 //
-//      d <-- c            d
-//      |     |     =>     |  \        (a's id stays; edges a-b and a-d stay)
-//      a -h-> b           a -- b
+//      d <--- c            d
+//      |      |     =>     |           The edges c-b and c-d become one with a-b and a-d. All other edges of c are then
+//      a -h-> b            a --- b     edges of a.
 Refusal why_not_collapse(const QuadMesh& mesh, HalfEdgeId h);
 Refusal collapse(QuadMesh& mesh, HalfEdgeId h);
 void collapse_unchecked(QuadMesh& mesh, HalfEdgeId h);
 
-// Edge split. first = v -> a and last = b -> v bound a sector of faces round v, from face(first) counter-clockwise to
-// face(last). A new vertex w takes the sector, and a new face (v, a, w, b) opens between.
+// Edge split, the inverse of a collapse. The half-edges first = v -> a and last = b -> v bound a sector of faces round
+// v, from face(first) counter-clockwise to face(last). The edges of the sector move from v to a new vertex w, and a new
+// face (v, a, w, b) opens between:
 //
-//            \|/                     \|/
-//      b ---- v ---- a      =>    b <- w <- a        (v keeps what is outside the sector)
-//            /|\                   \-> v ->/
+//                                          \|/
+//            \|/                         ,- w -.
+//      b ---- v ---- a         =>       b       a
+//            /|\                         `- v -'
+//                                          /|\     v keeps the other edges
 //
 // In the result `made` is v -> a in the new face, whose opposite is w -> b.
-// `corner` (0..3) is the corner of the new face at v, so that an inverse restores ids exactly.
+// `corner` (0..3) says which corner of the new face is at v, so that an inverse can restore ids exactly.
 Refusal why_not_split(const QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last);
 Applied split(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
 HalfEdgeId split_unchecked(QuadMesh& mesh, HalfEdgeId first, HalfEdgeId last, int corner = 0);
@@ -115,9 +122,9 @@ inline Refusal why_not_flip(const QuadMesh& m, HalfEdgeId h, Rotation rotation) 
   if (!m.is_live(h)) return Refusal::dead_element;
   const HalfEdgeId t = m.twin(h);
   if (!t.valid()) return Refusal::boundary_edge;
-  // Ends on the boundary keep a face: the edge is not on it, so each has two.
+  // A boundary vertex at an end keeps a face: the edge is interior, so that vertex has two faces or more.
   if (has_two_edges(m, h) || has_two_edges(m, t)) return Refusal::valence_too_low;
-  // The edge's ends move along the hexagon, to the origins of x and y.
+  // The ends move to the origins of x and y.
   const bool ccw = rotation == Rotation::counter_clockwise;
   const HalfEdgeId x = ccw ? QuadMesh::opposite(t) : QuadMesh::previous(h);
   const HalfEdgeId y = ccw ? QuadMesh::opposite(h) : QuadMesh::previous(t);
@@ -143,9 +150,9 @@ inline Refusal why_not_collapse(const QuadMesh& m, HalfEdgeId h) {
   if (!m.is_live(h)) return Refusal::dead_element;
   const HalfEdgeId h2 = QuadMesh::opposite(h);  // c -> d
   if (m.is_boundary(m.origin(h2))) return Refusal::boundary_corner;
-  // The edges at c are not on the boundary, so b and d keep a face.
+  // The edges at c are interior, so b and d keep a face.
   if (has_two_edges(m, QuadMesh::next(h)) || has_two_edges(m, QuadMesh::previous(h))) return Refusal::valence_too_low;
-  // No neighbour of c but b and d is a or a neighbour of a.
+  // Apart from b and d, no neighbour of c may be a or a neighbour of a.
   const VertexId a = m.origin(h);
   for (HalfEdgeId x = m.ccw(m.ccw(h2)); x != h2; x = m.ccw(x)) {
     if (m.target(x) == a || m.joined(h, m.target(x))) return Refusal::edge_exists;

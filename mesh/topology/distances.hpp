@@ -1,7 +1,4 @@
-// Breadth-first distances round some vertices of a mesh, as far as they are needed.
-//
-// The working memory (an integer for each vertex) is kept and cleared by what was met, so that a look round costs what
-// it sees and nothing that grows with the mesh.
+// Distances in edges, by breadth-first search.
 #pragma once
 
 #include <span>
@@ -11,11 +8,16 @@
 
 namespace requad::mesh {
 
+// Distances from some vertices of a mesh, as far as they are needed. The working memory, an integer for each vertex, is
+// kept from one search to the next, and only the entries that were used are cleared: so a search costs O(its edges),
+// whatever the size of the mesh.
 class BreadthFirstDistances {
  public:
-  // Measures distances in edges from the sources. enters(v): whether v is measured at all; passes(v): whether the
-  // search goes on from v (sources always do); done(v, d) is asked for each vertex in order of distance before it goes
-  // on from there, and ends the search if true. Forgets what was measured before.
+  // Measures distances in edges from the sources, and forgets those measured before.
+  //   enters(v)    whether v is measured at all; sources always are
+  //   passes(v)    whether the search continues from v; it always does from sources
+  //   done(v, d)   is called for each vertex in order of its distance d, before the search continues from it; the
+  //                search ends when it returns true
   template <class Enters, class Passes, class Done>
   void measure(const QuadMesh& mesh, std::span<const VertexId> sources, Enters&& enters, Passes&& passes, Done&& done) {
     for (const VertexId v : met_) distance_[v.slot()] = -1;
@@ -41,9 +43,9 @@ class BreadthFirstDistances {
     }
   }
 
-  // -1 if v was not met.
+  // The distance of v; -1 if the last search did not reach it.
   int distance(VertexId v) const { return v.slot() < distance_.size() ? distance_[v.slot()] : -1; }
-  // In order of distance.
+  // The vertices that the last search reached, in order of distance.
   const std::vector<VertexId>& met() const { return met_; }
 
  private:
@@ -55,5 +57,13 @@ class BreadthFirstDistances {
   std::vector<int> distance_;  // by vertex slot
   std::vector<VertexId> met_;
 };
+
+// The number of edges on a shortest path from one vertex to another; -1 if there is none. O(V).
+inline int graph_distance(const QuadMesh& mesh, VertexId from, VertexId to) {
+  const auto always = [](VertexId) { return true; };
+  BreadthFirstDistances distances;
+  distances.measure(mesh, std::span(&from, 1), always, always, [to](VertexId v, int) { return v == to; });
+  return distances.distance(to);
+}
 
 }  // namespace requad::mesh

@@ -1,4 +1,4 @@
-// Handles of mesh elements: distinct types that wrap an index and do not compare with each other.
+// Handles of mesh elements. Each wraps an index into the mesh's arrays. The three types do not compare with each other.
 #pragma once
 
 #include <compare>
@@ -11,10 +11,11 @@ namespace requad::mesh {
 template <class Tag>
 class Handle {
  public:
+  // A default handle names no element.
   constexpr Handle() = default;
   constexpr explicit Handle(std::int32_t index) : index_(index) {}
 
-  // Position in the mesh's arrays; -1 for "none".
+  // Position in the mesh's arrays; -1 for none.
   constexpr std::int32_t index() const { return index_; }
   constexpr std::size_t slot() const { return static_cast<std::size_t>(index_); }
   constexpr bool valid() const { return index_ >= 0; }

@@ -10,8 +10,8 @@ namespace {
 
 std::string edge_name(int a, int b) { return "edge " + std::to_string(a) + "-" + std::to_string(b); }
 
-// For a face list in which some edge has more than two faces or two that are not oriented alike: throws for the first
-// such edge, by its ends.
+// Throws for the first edge, in the order of its ends, that has more than two faces, or two that are not oriented
+// alike. Precondition: there is such an edge.
 [[noreturn]] void fail_at_first_edge(std::span<const std::array<int, 4>> faces) {
   struct Side {
     int low, high;
@@ -50,7 +50,7 @@ QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 
   QuadMesh mesh;
   mesh.sides_.resize(4 * faces.size());
   mesh.out_.resize(static_cast<std::size_t>(vertex_count));
-  std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);
+  std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);  // number of faces at each vertex
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (std::size_t k = 0; k < 4; ++k) {
       const int a = faces[f][k];
@@ -67,40 +67,13 @@ QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 
       ++degree[static_cast<std::size_t>(a)];
     }
   }
+  if (!mesh.pair_twins(degree)) fail_at_first_edge(faces);
 
-  // An edge's first half-edge joins a list that one end of the edge heads, where the second one finds it. It is the end
-  // of lower degree: the lower degrees of all edges sum to O(F) on a surface of bounded genus, whatever the valences
-  // (N. Chiba, T. Nishizeki, Arboricity and subgraph listing algorithms, 1985).
-  std::vector<HalfEdgeId> head(static_cast<std::size_t>(vertex_count));
-  std::vector<HalfEdgeId> following(mesh.sides_.size());
-  bool edges_are_good = true;
-  for (int i = 0; i < mesh.half_edge_capacity(); ++i) {
-    const HalfEdgeId h(i);
-    const VertexId from = mesh.origin(h);
-    const VertexId to = mesh.target(h);
-    const auto rank = [&degree](VertexId v) { return std::pair(degree[v.slot()], v); };
-    HalfEdgeId& first = head[std::min(rank(from), rank(to)).second.slot()];
-    HalfEdgeId other = first;
-    while (other.valid() && !(mesh.origin(other) == to && mesh.target(other) == from)) {
-      edges_are_good = edges_are_good && !(mesh.origin(other) == from && mesh.target(other) == to);
-      other = following[other.slot()];
-    }
-    if (!other.valid()) {
-      following[h.slot()] = first;
-      first = h;
-    } else {
-      edges_are_good = edges_are_good && !mesh.twin(other).valid();
-      mesh.sides_[h.slot()].twin = other;
-      mesh.sides_[other.slot()].twin = h;
-    }
-  }
-  if (!edges_are_good) fail_at_first_edge(faces);
-
+  // The fan of a boundary vertex starts on the boundary; then it must hold all faces of the vertex.
   for (int i = 0; i < mesh.half_edge_capacity(); ++i) {
     const HalfEdgeId h(i);
     if (mesh.is_boundary(h)) mesh.out_[mesh.origin(h).slot()] = h;
   }
-  // One fan per vertex, which starts at the boundary where there is one.
   for (int v = 0; v < vertex_count; ++v) {
     const VertexId vertex(v);
     if (!mesh.out(vertex).valid()) throw MeshError("vertex " + std::to_string(v) + " has no face");
@@ -109,6 +82,36 @@ QuadMesh QuadMesh::from_faces(int vertex_count, std::span<const std::array<int, 
     }
   }
   return mesh;
+}
+
+bool QuadMesh::pair_twins(const std::vector<int>& degree) {
+  // The first half-edge of an edge joins a list that one end of the edge heads, where the second one finds it. That end
+  // is the one of lower degree: on a surface of bounded genus the lower degrees of all edges sum to O(F), whatever the
+  // valences (N. Chiba, T. Nishizeki, Arboricity and subgraph listing algorithms, 1985).
+  std::vector<HalfEdgeId> head(out_.size());
+  std::vector<HalfEdgeId> following(sides_.size());
+  const auto rank = [&degree](VertexId v) { return std::pair(degree[v.slot()], v); };
+  bool paired = true;
+  for (int i = 0; i < half_edge_capacity(); ++i) {
+    const HalfEdgeId h(i);
+    const VertexId from = origin(h);
+    const VertexId to = target(h);
+    HalfEdgeId& first = head[std::min(rank(from), rank(to)).second.slot()];
+    HalfEdgeId other = first;
+    while (other.valid() && !(origin(other) == to && target(other) == from)) {
+      paired = paired && !(origin(other) == from && target(other) == to);
+      other = following[other.slot()];
+    }
+    if (!other.valid()) {
+      following[h.slot()] = first;
+      first = h;
+    } else {
+      paired = paired && !twin(other).valid();
+      sides_[h.slot()].twin = other;
+      sides_[other.slot()].twin = h;
+    }
+  }
+  return paired;
 }
 
 QuadMesh QuadMesh::from_arrays_unchecked(const std::vector<HalfEdgeId>& twin, const std::vector<VertexId>& origin,
@@ -193,7 +196,7 @@ int QuadMesh::face_valence(VertexId v) const {
 }
 
 bool QuadMesh::adjacent(VertexId a, VertexId b) const {
-  // Every edge of an interior vertex has a half-edge out of it.
+  // Each edge of an interior vertex has a half-edge out of it, but the last edge of a boundary vertex has none.
   if (find_half_edge(a, b).valid()) return true;
   return is_boundary(a) && find_half_edge(b, a).valid();
 }
@@ -223,7 +226,8 @@ std::vector<std::array<int, 4>> QuadMesh::compact_faces() const {
 
 namespace {
 
-// The `count` least ids that are not in the list, in increasing order.
+// The `count` least ids that are not in the list, in increasing order. Throws MeshError unless the list holds different
+// ids below `count` and its own size together.
 template <class Id>
 std::vector<Id> ids_beside(const std::vector<Id>& free_ids, int count, const char* what) {
   std::vector<bool> taken(static_cast<std::size_t>(count) + free_ids.size(), false);
@@ -262,10 +266,10 @@ QuadMesh QuadMesh::with_free_ids(std::vector<FaceId> free_faces, std::vector<Ver
 
 namespace {
 
-// How many ids at the top of the arrays wait at the bottom of the free list in the order in which growing the arrays
-// would hand them out: such a mesh behaves as one whose arrays never grew.
+// The number of free ids at the top of the arrays that wait at the bottom of the free list, in the order in which
+// growing the arrays would hand them out. Without them a mesh would behave the same.
 template <class Id>
-std::size_t grown_for_nothing(const std::vector<Id>& free_ids, std::size_t capacity) {
+std::size_t trailing_free_ids(const std::vector<Id>& free_ids, std::size_t capacity) {
   std::size_t n = 0;
   while (n < free_ids.size() && free_ids[n].slot() == capacity - 1 - n) ++n;
   return n;
@@ -286,14 +290,22 @@ bool equal_up_to(const std::vector<T>& a, std::size_t drop_a, const std::vector<
 }  // namespace
 
 bool operator==(const QuadMesh& a, const QuadMesh& b) {
-  const std::size_t faces_a = grown_for_nothing(a.free_faces_, a.sides_.size() / 4);
-  const std::size_t faces_b = grown_for_nothing(b.free_faces_, b.sides_.size() / 4);
-  const std::size_t vertices_a = grown_for_nothing(a.free_vertices_, a.out_.size());
-  const std::size_t vertices_b = grown_for_nothing(b.free_vertices_, b.out_.size());
+  const std::size_t faces_a = trailing_free_ids(a.free_faces_, a.sides_.size() / 4);
+  const std::size_t faces_b = trailing_free_ids(b.free_faces_, b.sides_.size() / 4);
+  const std::size_t vertices_a = trailing_free_ids(a.free_vertices_, a.out_.size());
+  const std::size_t vertices_b = trailing_free_ids(b.free_vertices_, b.out_.size());
   return a.out_.size() - vertices_a == b.out_.size() - vertices_b &&
          equal_up_to(a.sides_, 4 * faces_a, b.sides_, 4 * faces_b, false) &&
          equal_up_to(a.free_faces_, faces_a, b.free_faces_, faces_b, true) &&
          equal_up_to(a.free_vertices_, vertices_a, b.free_vertices_, vertices_b, true);
+}
+
+std::vector<VertexId> irregular_vertices(const QuadMesh& m) {
+  std::vector<VertexId> found;
+  for (const VertexId v : m.vertices()) {
+    if (is_irregular(m, v)) found.push_back(v);
+  }
+  return found;
 }
 
 }  // namespace requad::mesh

@@ -1,26 +1,38 @@
 // The quad mesh with boundary.
 //
-// Representation. Every face is a quad, so half-edge h = 4 * face + k needs no next pointer: next(h) stays in the same
-// group of four. What is left is two integers for each half-edge (twin, origin), one half-edge per vertex, and free lists
-// of faces and vertices. Twin and origin lie side by side, so that a face is half a cache line: an operation at a random
-// place of a large mesh waits for memory and for little else. A half-edge has its face on its left; faces are
-// counter-clockwise.
+// Terms, for everything in mesh/
+//   half-edge   an edge as one of its faces runs along it. A half-edge has its face on its left; faces are
+//               counter-clockwise. Its twin is the same edge as the other face runs along it.
+//   fan         the half-edges out of a vertex, counter-clockwise: a cycle round an interior vertex, a path at a
+//               boundary vertex.
+//   valence     of a vertex: the number of its edges, l(v) in the paper.
+//   boundary    an edge is on the boundary if it has one face, and so are its vertices. The others are interior.
+//   regular     an interior vertex of valence 4. Other interior vertices are irregular. (For boundary vertices the
+//               paper has turns instead: region.hpp.)
+//   live        an element that is not deleted. The slots of deleted elements are reused, the last one first.
+//
+// Representation. Every face is a quad, so half-edge h = 4 * face + k needs no pointer to the next one: next(h) is in
+// the same group of four. What remains is two integers for each half-edge (twin and origin), one half-edge for each
+// vertex, and the lists of free faces and vertices. Twin and origin lie side by side, so that a face fills half a cache
+// line: at a random site of a large mesh, an operation spends nearly all its time waiting for memory.
 //
 //              d <--- c           h: a -> b, face f on the left
 //              |  f   |           next(h): b -> c,  previous(h): d -> a
 //              |      |           twin(h): b -> a in the face below, or none on the boundary
 //              a -h-> b
 //
-// Invariants (validate.hpp checks each)
-//   I1  twin is an involution without fixed points between live half-edges; origin(twin(h)) = origin(next(h)).
-//   I2  the half-edges out of a vertex form one fan: a cycle if the vertex is interior, a path if it is on the boundary.
-//   I3  out(v) of a boundary vertex is the fan's first half-edge, the one without twin; of an interior vertex, any.
-//   I4  the mesh is simple: no edge joins a vertex to itself, no two edges join the same two vertices; so the four
-//       vertices of a face differ. Interior valence 2 is allowed.
+// Invariants, which validate() checks
+//   topology-1  twin is an involution without fixed points on the live half-edges that have one, and
+//               origin(twin(h)) = origin(next(h)).
+//   topology-2  The half-edges out of a vertex form one fan.
+//   topology-3  out(v) of a boundary vertex is the first half-edge of the fan, which has no twin. For an interior
+//               vertex it is any half-edge of the fan.
+//   topology-4  The mesh is simple: no edge joins a vertex to itself, and no two edges join the same two vertices.
+//               Hence the four vertices of a face differ. An interior vertex of valence 2 is allowed.
+// Not required: a mesh may have several components, any genus, and any number of boundary loops, none among them.
 //
-// Not required: a mesh need not be connected, nor have a boundary; any genus is welcome.
-//
-// Costs: traversal steps O(1); valence O(valence). Handles of untouched elements stay as they are under every operation.
+// Costs: a step from one element to the next is O(1), a valence is O(valence). No operation changes the handle of an
+// element that it keeps.
 #pragma once
 
 #include <array>
@@ -33,7 +45,7 @@
 
 namespace requad::mesh {
 
-// Input that is no quad mesh: the message is one line and names the face or vertex (0-based).
+// Thrown for faces that do not form a quad mesh. The message is one line and names the face or vertex, 0-based.
 class MeshError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -43,15 +55,15 @@ class QuadMesh {
  public:
   QuadMesh() = default;
 
-  // Builds a mesh from counter-clockwise faces, vertex indices in 0..vertex_count-1. Face i becomes FaceId(i), its
-  // corner k half-edge 4 i + k. Throws MeshError if the faces break an invariant. O(F) for bounded genus.
+  // Builds a mesh from counter-clockwise faces with vertices in 0..vertex_count-1. Face i becomes FaceId(i), and its
+  // corner k the origin of half-edge 4 i + k. Throws MeshError if the faces break an invariant. O(F) for bounded genus.
   static QuadMesh from_faces(int vertex_count, std::span<const std::array<int, 4>> faces);
-  // Takes the arrays as they are, broken or not: for tests of the validator. Entries of -1 mean none or deleted.
-  // Precondition: as many twins as origins.
+  // Takes the arrays as they are, broken or not. For tests of the validator. A handle of -1 means none, or deleted.
+  // Precondition: there are as many twins as origins.
   static QuadMesh from_arrays_unchecked(const std::vector<HalfEdgeId>& twin, const std::vector<VertexId>& origin,
                                         std::vector<HalfEdgeId> out);
 
-  // Live elements, and the sizes of the arrays (ids are below these).
+  // How many elements are live; and the sizes of the arrays, which all indices are below. edge_count() is O(F).
   int vertex_count() const { return static_cast<int>(out_.size() - free_vertices_.size()); }
   int face_count() const { return static_cast<int>(sides_.size() / 4 - free_faces_.size()); }
   int edge_count() const;
@@ -63,17 +75,17 @@ class QuadMesh {
   bool is_live(HalfEdgeId h) const { return h.index() >= 0 && h.index() < half_edge_capacity() && origin(h).valid(); }
   bool is_live(FaceId f) const { return f.valid() && is_live(HalfEdgeId(4 * f.index())); }
 
-  // Room for so many live elements, so that operations which make no more of them allocate nothing.
+  // Makes room: as long as no more elements than these are live, no operation allocates memory.
   void reserve(int faces, int vertices);
-  // Memory of the arrays, room included.
+  // Memory of the arrays, with the room that is not in use.
   std::size_t bytes() const;
 
-  // Live elements in the order of their ids. O(capacity).
+  // The live elements in the order of their indices. O(capacity).
   std::vector<VertexId> vertices() const;
   std::vector<FaceId> faces() const;
   std::vector<HalfEdgeId> half_edges() const;
 
-  // Connectivity of live elements; O(1).
+  // Connectivity. O(1). Preconditions: the element is live, and a corner is in 0..3.
   static HalfEdgeId next(HalfEdgeId h) { return HalfEdgeId((h.index() & ~3) | ((h.index() + 1) & 3)); }
   static HalfEdgeId previous(HalfEdgeId h) { return HalfEdgeId((h.index() & ~3) | ((h.index() + 3) & 3)); }
   static HalfEdgeId opposite(HalfEdgeId h) { return HalfEdgeId(h.index() ^ 2); }  // across the face
@@ -87,19 +99,19 @@ class QuadMesh {
   bool is_boundary(VertexId v) const { return is_boundary(out(v)); }
   std::array<VertexId, 4> corners(FaceId f) const;
 
-  // The next half-edge out of the same vertex; none beyond the ends of a boundary fan.
+  // The next half-edge out of the same vertex, counter-clockwise or clockwise; none beyond the ends of a boundary fan.
   HalfEdgeId ccw(HalfEdgeId h) const { return twin(previous(h)); }
   HalfEdgeId cw(HalfEdgeId h) const {
     const HalfEdgeId t = twin(h);
     return t.valid() ? next(t) : t;
   }
-  // Straight on: the half-edge that leaves target(h) opposite h. Precondition: target(h) is interior and of valence 4.
+  // The half-edge that continues h straight: it leaves target(h) opposite h. Precondition: target(h) is regular.
   HalfEdgeId straight(HalfEdgeId h) const { return next(twin(next(h))); }
-  // On the boundary, the next boundary half-edge counter-clockwise round the mesh. Precondition: is_boundary(h).
+  // The next half-edge on the same boundary loop, which has the mesh on its left. Precondition: is_boundary(h).
   HalfEdgeId next_on_boundary(HalfEdgeId h) const { return out(target(h)); }
 
-  // Calls visit(h) for the half-edges out of v, counter-clockwise from out(v). On the boundary the last edge of the fan
-  // has no half-edge out of v; its half-edge into v is previous() of the last one visited. Precondition: v is live.
+  // Calls visit(h) for each half-edge out of v, counter-clockwise from out(v). The last edge of a boundary vertex has
+  // no half-edge out of it; its half-edge into v is previous() of the last one visited. Precondition: v is live.
   template <class Visit>
   void for_each_out(VertexId v, Visit&& visit) const {
     const HalfEdgeId first = out(v);
@@ -109,15 +121,16 @@ class QuadMesh {
       h = ccw(h);
     } while (h.valid() && h != first);
   }
-  // Neighbours of v, counter-clockwise, the last boundary neighbour included.
+  // The vertices that edges join to v, counter-clockwise from target(out(v)).
   std::vector<VertexId> neighbours(VertexId v) const;
-  // Number of edges at v (l(v) in the paper), and of faces at v; they differ by one on the boundary.
+  // The number of edges at v, and of faces at v, which is one less on the boundary. O(valence).
   int valence(VertexId v) const { return face_valence(v) + (is_boundary(v) ? 1 : 0); }
   int face_valence(VertexId v) const;
+  // Whether an edge joins a and b. O(valence of a).
   bool adjacent(VertexId a, VertexId b) const;
-  // Whether an edge joins origin(h) and v.
+  // Whether an edge joins origin(h) and v; the fastest where h is at hand. O(valence).
   bool joined(HalfEdgeId h, VertexId v) const {
-    // Both ways round at once, so that neither walk waits for the other's loads, until they meet or the boundary comes.
+    // Goes both ways round until the two meet or reach the boundary, so that neither waits for the other's loads.
     HalfEdgeId left = h;
     HalfEdgeId right = h;
     do {
@@ -135,20 +148,21 @@ class QuadMesh {
     }
     return false;
   }
-  // The half-edge a -> b, or none.
+  // The half-edge a -> b, or none. O(valence of a).
   HalfEdgeId find_half_edge(VertexId a, VertexId b) const;
 
-  // The faces as vertex indices, for tests, files and rebuilding; ids of dead elements leave gaps in neither.
+  // The live faces, in order, as vertex numbers: the live vertices are numbered from 0 in order. For files and tests.
   std::vector<std::array<int, 4>> compact_faces() const;
 
-  // This mesh, which must have no free ids, with some: its vertices and faces take in their order the ids that are not
-  // listed, corners stay as they are, and the listed ids are handed out from the back. So a mesh that was written and
-  // read again gets back the ids that it had. Throws MeshError if the lists name an id twice or one that is not below
-  // the number of live and free ones. O(V + F).
+  // This mesh with other ids, of which the listed ones are free. The vertices and faces take the ids that are not
+  // listed, in order; the corners of faces stay as they are. The listed ids are handed out from the back. So a mesh
+  // that was written and read again gets back the ids that it had. Precondition: this mesh has no free ids. Throws
+  // MeshError if a list names an id twice, or one that is not below the number of live and free ones together.
+  // O(V + F).
   QuadMesh with_free_ids(std::vector<FaceId> free_faces, std::vector<VertexId> free_vertices) const;
 
-  // The same mesh with the same ids, handing out the same ids next (see signature.hpp for isomorphism). Neither the
-  // choice of out(v) for interior v nor room at the end of the arrays counts.
+  // Whether the meshes have the same elements with the same ids, and will hand out the same ids next. (Isomorphism:
+  // signature.hpp.) The choice of out(v) for interior v does not matter, nor does room at the end of the arrays.
   friend bool operator==(const QuadMesh& a, const QuadMesh& b);
 
  private:
@@ -161,10 +175,28 @@ class QuadMesh {
     friend bool operator==(const Side&, const Side&) = default;
   };
 
-  std::vector<Side> sides_;         // per half-edge
-  std::vector<HalfEdgeId> out_;     // per vertex; none marks a deleted vertex
-  std::vector<FaceId> free_faces_;  // last in, first out, so that an operation and its inverse restore every id
+  // Pairs the half-edges of faces that are filled in. Returns false if an edge has more than two faces, or two that are
+  // not oriented alike. `degree`: the number of faces at each vertex.
+  bool pair_twins(const std::vector<int>& degree);
+
+  std::vector<Side> sides_;         // by half-edge
+  std::vector<HalfEdgeId> out_;     // by vertex; none marks a deleted vertex
+  std::vector<FaceId> free_faces_;  // last in, first out: so an operation and its inverse restore every id
   std::vector<VertexId> free_vertices_;
 };
+
+// Whether v is interior and its valence is not 4. O(valence).
+inline bool is_irregular(const QuadMesh& mesh, VertexId v) { return !mesh.is_boundary(v) && mesh.face_valence(v) != 4; }
+std::vector<VertexId> irregular_vertices(const QuadMesh& mesh);
+// Whether origin(h) is interior and of valence 4. Takes at most four steps, whatever the valence.
+// Precondition: h is live.
+inline bool leaves_regular_vertex(const QuadMesh& mesh, HalfEdgeId h) {
+  const HalfEdgeId second = mesh.ccw(h);
+  if (!second.valid()) return false;
+  const HalfEdgeId third = mesh.ccw(second);
+  if (!third.valid() || third == h) return false;
+  const HalfEdgeId fourth = mesh.ccw(third);
+  return fourth.valid() && fourth != h && mesh.ccw(fourth) == h;
+}
 
 }  // namespace requad::mesh

@@ -4,16 +4,6 @@
 
 namespace requad::mesh {
 
-bool is_irregular(const QuadMesh& m, VertexId v) { return !m.is_boundary(v) && m.face_valence(v) != 4; }
-
-std::vector<VertexId> irregular_vertices(const QuadMesh& m) {
-  std::vector<VertexId> found;
-  for (const VertexId v : m.vertices()) {
-    if (is_irregular(m, v)) found.push_back(v);
-  }
-  return found;
-}
-
 Separatrix trace(const QuadMesh& m, HalfEdgeId h) {
   Separatrix result;
   const HalfEdgeId start = h;
@@ -38,9 +28,10 @@ Separatrix trace(const QuadMesh& m, HalfEdgeId h) {
 
 namespace {
 
-// The half-edge straight on from h, if there is one. The two ways there, by the left, h, west, north, and by the right,
-// back, east, north, are the same iff the end of h is interior and has four edges.
-inline HalfEdgeId straight_on(const QuadMesh& m, HalfEdgeId h) {
+// The half-edge that continues h straight; none if target(h) is not regular. Starting from h, going round target(h) by
+// the faces on the left (west, north) and by those on the right (back, east, north) leads to the same half-edge iff
+// that vertex is interior and has four edges.
+inline HalfEdgeId continuation(const QuadMesh& m, HalfEdgeId h) {
   const HalfEdgeId from_west = m.twin(QuadMesh::next(h));
   const HalfEdgeId back = m.twin(h);
   if (!from_west.valid() || !back.valid()) return {};
@@ -52,29 +43,29 @@ inline HalfEdgeId straight_on(const QuadMesh& m, HalfEdgeId h) {
 
 }  // namespace
 
-void follow(const QuadMesh& m, std::span<Arrival> paths, int most) {
+void trace_ends(const QuadMesh& m, std::span<SeparatrixEnd> paths, int most) {
   constexpr std::size_t kAbreast = 8;
-  for (; paths.size() > kAbreast; paths = paths.subspan(kAbreast)) follow(m, paths.first(kAbreast), most);
-  // Those that go on, in front.
-  std::array<Arrival*, kAbreast> walking{};
+  for (; paths.size() > kAbreast; paths = paths.subspan(kAbreast)) trace_ends(m, paths.first(kAbreast), most);
+  // The first `count` entries are the paths that are not finished.
+  std::array<SeparatrixEnd*, kAbreast> unfinished{};
   std::size_t count = 0;
-  for (Arrival& path : paths) {
+  for (SeparatrixEnd& path : paths) {
     path.length = 1;
-    walking[count++] = &path;
+    unfinished[count++] = &path;
   }
   for (int length = 2; count > 0 && length <= most; ++length) {
     for (std::size_t i = 0; i < count;) {
-      const HalfEdgeId on = straight_on(m, walking[i]->last);
-      if (on.valid()) {
-        walking[i]->last = on;
-        walking[i]->length = length;
+      const HalfEdgeId next = continuation(m, unfinished[i]->last);
+      if (next.valid()) {
+        unfinished[i]->last = next;
+        unfinished[i]->length = length;
         ++i;
       } else {
-        walking[i] = walking[--count];
+        unfinished[i] = unfinished[--count];
       }
     }
   }
-  for (Arrival& path : paths) {
+  for (SeparatrixEnd& path : paths) {
     const VertexId v = m.target(path.last);
     path.end = m.is_boundary(v)         ? Separatrix::End::boundary
                : m.face_valence(v) == 4 ? Separatrix::End::closed

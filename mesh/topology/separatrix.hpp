@@ -1,6 +1,10 @@
 // Separatrices (Definition 7.7): straight paths that start at an irregular vertex.
+//
+// A path is straight if it enters and leaves each inner vertex by opposite edges, which is possible at regular vertices
+// only. So a straight path continues until it reaches an irregular vertex or the boundary, or returns to its start.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,39 +12,25 @@
 
 namespace requad::mesh {
 
-// v is interior and its valence is not 4. Boundary vertices are not irregular: their index is the turn (region.hpp).
-bool is_irregular(const QuadMesh& mesh, VertexId v);
-std::vector<VertexId> irregular_vertices(const QuadMesh& mesh);
-
-// Whether the vertex that h leaves is interior and of valence 4: three or four steps round it, and no other. h is live.
-inline bool is_regular_at(const QuadMesh& mesh, HalfEdgeId h) {
-  const HalfEdgeId second = mesh.ccw(h);
-  if (!second.valid()) return false;
-  const HalfEdgeId third = mesh.ccw(second);
-  if (!third.valid() || third == h) return false;
-  const HalfEdgeId fourth = mesh.ccw(third);
-  return fourth.valid() && fourth != h && mesh.ccw(fourth) == h;
-}
-
-// The straight path that starts with h, as half-edges; every vertex between its ends is interior and regular.
 struct Separatrix {
   enum class End { boundary, irregular, closed };
-  std::vector<HalfEdgeId> path;  // at least h itself
-  End end = End::boundary;       // closed: back at the start, which is then regular
+  std::vector<HalfEdgeId> path;  // at least one half-edge; the inner vertices are regular
+  End end = End::boundary;       // closed: the path returns to its first half-edge, whose origin is then regular
   int length() const { return static_cast<int>(path.size()); }
 };
-// O(length); ends after at most one visit of each half-edge. Precondition: h is live.
+// The straight path that starts with h, as far as it goes. No half-edge occurs twice. Precondition: h is live.
+// O(length).
 Separatrix trace(const QuadMesh& mesh, HalfEdgeId h);
 
-// Where trace() ends, without the path.
-struct Arrival {
-  HalfEdgeId last;  // the half-edge by which it arrives
-  int length = 1;
+// Where a straight path ends, without the path.
+struct SeparatrixEnd {
+  HalfEdgeId last;  // the last half-edge of the path
+  int length = 1;   // in edges
   Separatrix::End end = Separatrix::End::boundary;
 };
-// Follows several paths, each from the half-edge that its `last` is. `most` >= 1 edges are walked of each at the most; one
-// that goes on, closed ones among them, ends `closed` there. The paths advance side by side, since a step is nothing but
-// waiting for memory. O(sum of lengths), no allocation.
-void follow(const QuadMesh& mesh, std::span<Arrival> paths, int most);
+// Advances several straight paths, each from its `last` half-edge, which becomes the first of its path. Each path
+// advances to its end, or until it has `most` edges (>= 1); a path that is not finished by then is reported as closed.
+// The paths advance alternately, because a step is mostly waiting for memory. O(sum of lengths); allocates nothing.
+void trace_ends(const QuadMesh& mesh, std::span<SeparatrixEnd> paths, int most);
 
 }  // namespace requad::mesh

@@ -1,8 +1,8 @@
 // How the basic operations change a mesh's arrays. This is the only code that writes to them after a mesh was built.
 //
-// Legality is decided above, in basic_operations.hpp, which also has the pictures and the laws; use its functions. Every
-// function here requires that the operation is legal. The bodies stand in this header because a flip is about thirty
-// instructions, of which a call would be a good part.
+// Legality is decided above, in basic_operations.hpp, which also has the pictures and the laws; use its functions.
+// Every function here requires that the operation is legal. The bodies stand in this header because a flip is about
+// thirty instructions, of which a call would be a good part.
 #pragma once
 
 #include "mesh/topology/quad_mesh.hpp"

@@ -9,124 +9,146 @@ namespace {
 
 std::string at(const char* what, int index) { return std::string(what) + " " + std::to_string(index) + ": "; }
 
-}  // namespace
+class Validator {
+ public:
+  explicit Validator(const QuadMesh& mesh) : m_(mesh) {}
 
-std::vector<Defect> validate(const QuadMesh& m) {
-  std::vector<Defect> defects;
-  const auto report = [&defects](Defect::Kind kind, std::string message) {
-    defects.push_back({kind, std::move(message)});
-  };
+  // Each step follows only indices that the steps before have checked.
+  std::vector<Defect> run() {
+    if (!check_sizes() || !check_ranges()) return std::move(defects_);
+    const bool paired = check_twins();
+    check_faces();
+    check_edges();
+    check_fans(paired);
+    return std::move(defects_);
+  }
+
+ private:
   using Kind = Defect::Kind;
 
-  const int half_edges = m.half_edge_capacity();
-  if (half_edges % 4 != 0) {
-    report(Kind::sizes, std::to_string(half_edges) + " half-edges are not four for each face");
-    return defects;
+  void report(Kind kind, std::string message) { defects_.push_back({kind, std::move(message)}); }
+
+  bool check_sizes() {
+    if (m_.half_edge_capacity() % 4 == 0) return true;
+    report(Kind::sizes, std::to_string(m_.half_edge_capacity()) + " half-edges are not four for each face");
+    return false;
   }
 
-  // Ranges first: nothing below may follow an index that was not checked here.
-  bool followable = true;
-  const auto vertex_in_range = [&m](VertexId v) { return v.index() >= 0 && v.index() < m.vertex_capacity(); };
-  for (int f = 0; f < m.face_capacity(); ++f) {
-    int live = 0;
-    for (int k = 0; k < 4; ++k) live += m.origin(QuadMesh::half_edge(FaceId(f), k)).valid() ? 1 : 0;
-    if (live != 0 && live != 4) {
-      report(Kind::half_deleted, at("face", f) + std::to_string(4 - live) + " of its corners are deleted");
-      followable = false;
+  // Whether all indices are those of live elements.
+  bool check_ranges() {
+    const std::size_t before = defects_.size();
+    for (int f = 0; f < m_.face_capacity(); ++f) {
+      int live = 0;
+      for (int k = 0; k < 4; ++k) live += m_.origin(QuadMesh::half_edge(FaceId(f), k)).valid() ? 1 : 0;
+      if (live != 0 && live != 4)
+        report(Kind::half_deleted, at("face", f) + std::to_string(4 - live) + " of its corners are deleted");
     }
-  }
-  for (int i = 0; i < half_edges; ++i) {
-    const HalfEdgeId h(i);
-    const VertexId v = m.origin(h);
-    if (!v.valid()) continue;
-    if (!vertex_in_range(v)) {
-      report(Kind::range, at("half-edge", i) + "its origin " + std::to_string(v.index()) + " is no vertex");
-      followable = false;
-    } else if (!m.out(v).valid()) {
-      report(Kind::isolated, at("half-edge", i) + "its origin " + std::to_string(v.index()) + " is deleted");
-      followable = false;
+    for (int i = 0; i < m_.half_edge_capacity(); ++i) {
+      const HalfEdgeId h(i);
+      const VertexId v = m_.origin(h);
+      if (!v.valid()) continue;
+      if (v.index() >= m_.vertex_capacity()) {
+        report(Kind::range, at("half-edge", i) + "its origin " + std::to_string(v.index()) + " is no vertex");
+      } else if (!m_.out(v).valid()) {
+        report(Kind::isolated, at("half-edge", i) + "its origin " + std::to_string(v.index()) + " is deleted");
+      }
+      const HalfEdgeId t = m_.twin(h);
+      if (t.valid() && !m_.is_live(t))
+        report(Kind::range, at("half-edge", i) + "its twin " + std::to_string(t.index()) + " does not exist");
     }
-    const HalfEdgeId t = m.twin(h);
-    if (t.valid() && !m.is_live(t)) {
-      report(Kind::range, at("half-edge", i) + "its twin " + std::to_string(t.index()) + " does not exist");
-      followable = false;
+    for (int v = 0; v < m_.vertex_capacity(); ++v) {
+      const HalfEdgeId out = m_.out(VertexId(v));
+      if (out.valid() && !m_.is_live(out))
+        report(Kind::range, at("vertex", v) + "its half-edge " + std::to_string(out.index()) + " does not exist");
     }
-  }
-  for (int v = 0; v < m.vertex_capacity(); ++v) {
-    const HalfEdgeId out = m.out(VertexId(v));
-    if (out.valid() && !m.is_live(out)) {
-      report(Kind::range, at("vertex", v) + "its half-edge " + std::to_string(out.index()) + " does not exist");
-      followable = false;
-    }
-  }
-  if (!followable) return defects;
-
-  for (const HalfEdgeId h : m.half_edges()) {
-    const HalfEdgeId t = m.twin(h);
-    if (!t.valid()) continue;
-    if (t == h || m.twin(t) != h) {
-      report(Kind::twin, at("half-edge", h.index()) + "twin " + std::to_string(t.index()) + " does not answer");
-      followable = false;
-    } else if (m.origin(t) != m.target(h)) {
-      report(Kind::twin_ends, at("half-edge", h.index()) + "its twin starts at vertex " +
-                                  std::to_string(m.origin(t).index()) + ", not at " +
-                                  std::to_string(m.target(h).index()));
-      followable = false;
-    }
+    return defects_.size() == before;
   }
 
-  std::vector<int> degree(static_cast<std::size_t>(m.vertex_capacity()), 0);
-  std::vector<std::array<int, 2>> edges;
-  for (const HalfEdgeId h : m.half_edges()) {
-    ++degree[m.origin(h).slot()];
-    if (!m.twin(h).valid() || h < m.twin(h)) {
-      edges.push_back({std::min(m.origin(h), m.target(h)).index(), std::max(m.origin(h), m.target(h)).index()});
+  // Whether twins are paired and have the same ends.
+  bool check_twins() {
+    const std::size_t before = defects_.size();
+    for (const HalfEdgeId h : m_.half_edges()) {
+      const HalfEdgeId t = m_.twin(h);
+      if (!t.valid()) continue;
+      if (t == h || m_.twin(t) != h) {
+        report(Kind::twin, at("half-edge", h.index()) + "twin " + std::to_string(t.index()) + " does not answer");
+      } else if (m_.origin(t) != m_.target(h)) {
+        report(Kind::twin_ends, at("half-edge", h.index()) + "its twin starts at vertex " +
+                                    std::to_string(m_.origin(t).index()) + ", not at " +
+                                    std::to_string(m_.target(h).index()));
+      }
     }
-  }
-  for (const FaceId f : m.faces()) {
-    std::array<VertexId, 4> c = m.corners(f);
-    std::sort(c.begin(), c.end());
-    if (std::adjacent_find(c.begin(), c.end()) != c.end()) {
-      report(Kind::repeated_vertex, at("face", f.index()) + "one vertex occurs twice");
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end();) {
-    report(Kind::repeated_edge, "vertices " + std::to_string((*it)[0]) + " and " + std::to_string((*it)[1]) +
-                                    " are joined by more than one edge");
-    it = std::upper_bound(it, edges.end(), *it);
+    return defects_.size() == before;
   }
 
-  for (const VertexId v : m.vertices()) {
-    if (degree[v.slot()] == 0) {
-      report(Kind::isolated, at("vertex", v.index()) + "no face has it");
-      continue;
+  void check_faces() {
+    for (const FaceId f : m_.faces()) {
+      std::array<VertexId, 4> c = m_.corners(f);
+      std::sort(c.begin(), c.end());
+      if (std::adjacent_find(c.begin(), c.end()) != c.end())
+        report(Kind::repeated_vertex, at("face", f.index()) + "one vertex occurs twice");
     }
-    if (m.origin(m.out(v)) != v) {
-      report(Kind::out,
-             at("vertex", v.index()) + "its half-edge leaves vertex " + std::to_string(m.origin(m.out(v)).index()));
-      continue;
+  }
+
+  void check_edges() {
+    std::vector<std::array<int, 2>> edges;
+    for (const HalfEdgeId h : m_.half_edges()) {
+      if (!m_.twin(h).valid() || h < m_.twin(h))
+        edges.push_back({std::min(m_.origin(h), m_.target(h)).index(), std::max(m_.origin(h), m_.target(h)).index()});
     }
-    if (!followable) continue;
-    // With twins paired and ends matching, ccw is a partial injection on the half-edges out of v: the walk is bounded.
+    std::sort(edges.begin(), edges.end());
+    for (auto it = edges.begin(); (it = std::adjacent_find(it, edges.end())) != edges.end();) {
+      report(Kind::repeated_edge, "vertices " + std::to_string((*it)[0]) + " and " + std::to_string((*it)[1]) +
+                                      " are joined by more than one edge");
+      it = std::upper_bound(it, edges.end(), *it);
+    }
+  }
+
+  // `paired`: whether twins are in order, so that fans can be walked.
+  void check_fans(bool paired) {
+    std::vector<int> degree(static_cast<std::size_t>(m_.vertex_capacity()), 0);
+    for (const HalfEdgeId h : m_.half_edges()) ++degree[m_.origin(h).slot()];
+    for (const VertexId v : m_.vertices()) {
+      const int half_edges = degree[v.slot()];
+      if (half_edges == 0) {
+        report(Kind::isolated, at("vertex", v.index()) + "no face has it");
+      } else if (m_.origin(m_.out(v)) != v) {
+        report(Kind::out,
+               at("vertex", v.index()) + "its half-edge leaves vertex " + std::to_string(m_.origin(m_.out(v)).index()));
+      } else if (paired) {
+        check_fan(v, half_edges);
+      }
+    }
+  }
+
+  // `half_edges`: how many leave v.
+  void check_fan(VertexId v, int half_edges) {
+    // Since twins are paired and have the same ends, ccw is injective on the half-edges out of v, and the walk is
+    // bounded.
     int reached = 0;
     bool open = true;
-    for (HalfEdgeId h = m.out(v); h.valid() && reached <= degree[v.slot()]; h = m.ccw(h)) {
+    for (HalfEdgeId h = m_.out(v); h.valid() && reached <= half_edges; h = m_.ccw(h)) {
       ++reached;
-      if (m.ccw(h) == m.out(v)) {
+      if (m_.ccw(h) == m_.out(v)) {
         open = false;
         break;
       }
     }
-    if (open && !m.is_boundary(m.out(v))) {
+    if (open && !m_.is_boundary(m_.out(v))) {
       report(Kind::out, at("vertex", v.index()) + "its fan does not start on the boundary");
-    } else if (reached != degree[v.slot()]) {
+    } else if (reached != half_edges) {
       report(Kind::fan,
-             at("vertex", v.index()) + "its " + std::to_string(degree[v.slot()]) + " faces form more than one fan");
+             at("vertex", v.index()) + "its " + std::to_string(half_edges) + " faces form more than one fan");
     }
   }
-  return defects;
-}
+
+  const QuadMesh& m_;
+  std::vector<Defect> defects_;
+};
+
+}  // namespace
+
+std::vector<Defect> validate(const QuadMesh& m) { return Validator(m).run(); }
 
 int euler_characteristic(const QuadMesh& m) { return m.vertex_count() - m.edge_count() + m.face_count(); }
 

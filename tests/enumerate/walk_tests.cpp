@@ -139,20 +139,20 @@ TEST_CASE("paths are followed to where they are traced to", "[walk]") {
   for (const tests::CensusEntry& entry : tests::census(14, true)) meshes.push_back(entry.region.mesh);
   for (mesh::QuadMesh& m : meshes) {
     for (int i = 0; i < 6; ++i) mesh::apply(m, tests::random_operation(m, random));
-    std::vector<mesh::Arrival> paths;
+    std::vector<mesh::SeparatrixEnd> paths;
     for (const mesh::HalfEdgeId h : m.half_edges()) paths.push_back({h, 0, mesh::Separatrix::End::closed});
-    mesh::follow(m, paths, m.half_edge_capacity());
+    mesh::trace_ends(m, paths, m.half_edge_capacity());
     std::size_t i = 0;
     for (const mesh::HalfEdgeId h : m.half_edges()) {
       const mesh::Separatrix s = mesh::trace(m, h);
-      const mesh::Arrival& arrival = paths[i++];
+      const mesh::SeparatrixEnd& arrival = paths[i++];
       REQUIRE(arrival.end == s.end);
       if (s.end == mesh::Separatrix::End::closed) continue;  // goes round until it is stopped
       REQUIRE(arrival.last == s.path.back());
       REQUIRE(arrival.length == s.length());
     }
     for (const mesh::HalfEdgeId h : m.half_edges()) {
-      REQUIRE(mesh::is_regular_at(m, h) == (!m.is_boundary(m.origin(h)) && m.valence(m.origin(h)) == 4));
+      REQUIRE(mesh::leaves_regular_vertex(m, h) == (!m.is_boundary(m.origin(h)) && m.valence(m.origin(h)) == 4));
     }
   }
 }

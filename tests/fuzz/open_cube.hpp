@@ -1,7 +1,8 @@
 // The mesh that scripts and lists of features are tried on: a cube without its top, each side cut into four quads.
 #pragma once
 
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/read_polygons.hpp"
+#include "mesh/files/surface.hpp"
 
 namespace requad::fuzz {
 

@@ -41,7 +41,7 @@ Script read_again(const Script& script) {
   return again;
 }
 
-// Law W4: nothing changes unless all of it is done.
+// Law editing-14: nothing changes unless all of it is done.
 void try_replay(const Script& script, bool with_features) {
   Copy copy(with_features);
   Replay result{Refusal::dead_element, 0};
@@ -81,7 +81,7 @@ void fuzz::try_input(std::string_view text) {
   try_replay(script, false);
   try_replay(script, true);
 
-  // Laws W1 to W3 of what was done: there in memory, and back from what was written.
+  // Laws editing-11 to editing-13 of what was done: there in memory, and back from what was written.
   Copy done(false), copy(false);
   const Script recorded = read_again(perform(script, done));
   require(replay(copy.editor, recorded).refusal == Refusal::none, "a script can not be replayed");

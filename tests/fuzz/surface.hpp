@@ -1,11 +1,12 @@
-// What is checked of a mesh file that is read: laws F1 and F2 of polygon_mesh.hpp, and that what is written reads back.
+// What is checked of a mesh file that is read: laws files-1, files-2 (read_polygons.hpp) and files-5 (write_obj.hpp).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/read_polygons.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/fuzz/fuzz.hpp"

@@ -36,7 +36,7 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   }
   ++tally.legal;
   REQUIRE(validate(after).empty());
-  // O1, O2, sizes.
+  // topology-5, topology-6, sizes.
   REQUIRE(euler_characteristic(after) == euler_characteristic(before));
   REQUIRE(tests::boundary_cycle(after) == tests::boundary_cycle(before));
   const int change = op.kind == Kind::collapse ? -1 : op.kind == Kind::split ? 1 : 0;
@@ -47,7 +47,7 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   REQUIRE(signature(after, after.out(root)) ==
           signature(expected.mesh, expected.mesh.out(VertexId(expected.name[root.slot()]))));
 
-  // O3, claim B2.
+  // topology-7, claim B2.
   const auto changed = changed_vertices(before, op);
   for (const VertexId v : before.vertices()) {
     if (!after.is_live(v)) continue;
@@ -79,7 +79,8 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
     }
   }
 
-  // O4, claim B3: the inverse restores everything; a flip's inverse is the other flip, collapse and split are inverse.
+  // topology-8, claim B3: the inverse restores everything. A flip's inverse is the other flip, and collapse and split
+  // are inverse to each other.
   QuadMesh undone = after;
   REQUIRE(apply(undone, done.inverse).refusal == Refusal::none);
   REQUIRE(undone == before);

@@ -96,7 +96,7 @@ TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
   CHECK(outline({12}, false)[3].norm() == Approx(outline({12}, false)[0].norm()));
 }
 
-TEST_CASE("drawings of all regular regions up to side 12", "[drawing]") {
+TEST_CASE("drawings of all regular regions up to side 12 (geometry-7)", "[drawing]") {
   int digons = 0, hexagons = 0;
   for (int length = 2; length <= 12; ++length) {
     for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
@@ -137,7 +137,7 @@ TEST_CASE("drawings of other regions", "[drawing]") {
   search_and_check({{2, 2, 2, 2, 2, 2}, {3, 3, 3, 3}}, 14, 1);
 }
 
-TEST_CASE("what is no drawing is named", "[drawing]") {
+TEST_CASE("what is not a drawing is named (geometry-6)", "[drawing]") {
   const Region grid = tests::grid(3, 3);
   const std::vector<Vector2d> good = draw(grid);
   double smallest = 0;

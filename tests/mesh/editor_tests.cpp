@@ -6,6 +6,7 @@
 #include "enumerate/generators.hpp"
 #include "enumerate/search/search.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
+#include "mesh/topology/distances.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"

@@ -13,7 +13,7 @@
 #include "mesh/editing/affected_region.hpp"
 #include "mesh/editing/untangling.hpp"
 #include "mesh/files/feature_edges.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/geometry/nearest_points.hpp"

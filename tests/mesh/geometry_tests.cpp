@@ -1,4 +1,4 @@
-// Geometry and smoothing: measures with known values, nearest points against all triangles, laws S1-S3.
+// Geometry and smoothing: measures with known values, nearest points against all triangles, laws geometry-1 to geometry-5.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -7,6 +7,7 @@
 
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/geometry/diagnosis.hpp"
+#include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/geometry/smoothing.hpp"
 #include "tests/support/catch.hpp"
@@ -186,7 +187,7 @@ TEST_CASE("nearest point of a triangle against a fine search", "[geometry]") {
   }
 }
 
-TEST_CASE("SurfaceIndex finds what a search through all triangles finds", "[geometry][real]") {
+TEST_CASE("SurfaceIndex finds what a search through all triangles finds (geometry-1)", "[geometry][real]") {
   std::mt19937 random(4);
   std::vector<Surface> surfaces{shaken_grid(9, 7, 0.4, random)};
   for (const char* name : {"bunny_qex", "fandisk_bommes", "botijo_miq"}) {
@@ -220,7 +221,7 @@ TEST_CASE("SurfaceIndex finds what a search through all triangles finds", "[geom
   }
 }
 
-TEST_CASE("Hausdorff distance", "[geometry][real]") {
+TEST_CASE("Hausdorff distance (geometry-2)", "[geometry][real]") {
   std::mt19937 random(5);
   const Surface g = shaken_grid(6, 6, 0.3, random);
   Positions lifted = g.positions, slid = g.positions, spike = g.positions;
@@ -261,7 +262,7 @@ TEST_CASE("smoothing: a shaken grid becomes regular again", "[smoothing]") {
   }
 }
 
-TEST_CASE("smoothing: what it must not move, it does not (S1)", "[smoothing]") {
+TEST_CASE("smoothing: what it must not move, it does not (geometry-3)", "[smoothing]") {
   std::mt19937 random(7);
   const Surface s = shaken_grid(8, 8, 0.3, random);
   std::vector<VertexId> given;
@@ -291,7 +292,7 @@ TEST_CASE("smoothing: what it must not move, it does not (S1)", "[smoothing]") {
   CHECK(p == s.positions);
 }
 
-TEST_CASE("smoothing: the guard, face by face (S2), and what happens without", "[smoothing]") {
+TEST_CASE("smoothing: the guard, face by face (geometry-4), and what happens without", "[smoothing]") {
   // An L-shaped rim pulls its inner vertices over the reflex corner; shaken, some faces are inverted to begin with.
   std::mt19937 random(8);
   int inverted_without = 0, mended = 0;

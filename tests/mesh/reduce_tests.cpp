@@ -9,7 +9,7 @@
 
 #include "mesh/editing/untangling.hpp"
 #include "mesh/files/feature_edges.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/irregular/reduce.hpp"
 #include "mesh/topology/separatrix.hpp"
@@ -175,7 +175,7 @@ TEST_CASE("requad-edit edits pairs, and says why not", "[programs][real]") {
   CHECK(json::parse(listed.out)["moves"].size() >= 4);
 }
 
-TEST_CASE("Law U: folds are relaxed, and what is fixed stays", "[smoothing]") {
+TEST_CASE("Law editing-21: folds are relaxed, and what is fixed stays", "[smoothing]") {
   // A flat grid whose inner vertices were thrown about, with a feature across.
   std::mt19937 random(1);
   const Region start = tests::grid(12, 10);

@@ -3,6 +3,7 @@
 
 #include "enumerate/generators.hpp"
 #include "mesh/irregular/pair_frame.hpp"
+#include "mesh/topology/distances.hpp"
 #include "mesh/topology/region.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/validate.hpp"
@@ -12,7 +13,7 @@
 using namespace requad;
 using namespace requad::mesh;
 
-TEST_CASE("sides, turns and curvature", "[region]") {
+TEST_CASE("sides, turns and curvature (topology-10)", "[region]") {
   const Region g = tests::grid(5, 3);
   CHECK(region_problem(g).empty());
   CHECK(side_lengths(g) == std::vector<int>{5, 3, 5, 3});

@@ -11,6 +11,7 @@
 #include "mesh/editing/element_map.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/feature_edges.hpp"
+#include "mesh/files/read_polygons.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
@@ -114,8 +115,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and undone to the last bit",
-          "[script][real]") {
+TEST_CASE(
+    "Laws editing-11 to editing-13: 10,000 random operations on each real mesh, replayed and undone to the last bit",
+    "[script][real]") {
   struct Case {
     const char* name;
     double feature_angle;  // 0: no features
@@ -147,7 +149,7 @@ TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and 
     made.edit(10'000, random);
     REQUIRE(validate(made.m).empty());
 
-    // W1
+    // editing-11
     const std::string text = to_string(made.record());
     const Script script = parse_script(text, name);
     CHECK(to_string(script) == text);
@@ -157,7 +159,7 @@ TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and 
     }
     CHECK(kinds.size() == 4);
 
-    // W2
+    // editing-12
     Workshop again(input);
     again.features = made.features;
     REQUIRE(replay(again.editor, script).refusal == Refusal::none);
@@ -165,12 +167,12 @@ TEST_CASE("Laws W1-W3: 10,000 random operations on each real mesh, replayed and 
     CHECK(same_positions(made.m, again.positions, made.positions));
     CHECK(to_string(again.record()) == text);
 
-    // W3, from memory
+    // editing-13, from memory
     REQUIRE(replay(again.editor, inverse(script)).refusal == Refusal::none);
     CHECK(again.m == input.mesh);
     CHECK(same_positions(input.mesh, again.positions, input.positions));
 
-    // W3, from the file
+    // editing-13, from the file
     Surface output = read_back(obj_text(made.m, made.positions));
     restore_ids(script, output);
     CHECK(validate(output.mesh).empty());
@@ -217,18 +219,18 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
     }
     REQUIRE(reused > 0);
     const ElementMap map = element_map(w.input.mesh, w.editor);
-    const auto check = [](const PlaceMap& places, const std::vector<int>& kept, const auto& live,
+    const auto check = [](const FileIndexMap& indices, const std::vector<int>& kept, const auto& live,
                           const std::map<int, int>& from) {
-      REQUIRE(places.now.size() == kept.size());
-      REQUIRE(places.made_from.size() == places.made.size());
-      for (std::size_t i = 0; i < places.made.size(); ++i)
-        CHECK(places.made_from[i] == from.at(live[static_cast<std::size_t>(places.made[i])].index()));
-      std::set<int> all(places.made.begin(), places.made.end());
+      REQUIRE(indices.now.size() == kept.size());
+      REQUIRE(indices.made_from.size() == indices.made.size());
+      for (std::size_t i = 0; i < indices.made.size(); ++i)
+        CHECK(indices.made_from[i] == from.at(live[static_cast<std::size_t>(indices.made[i])].index()));
+      std::set<int> all(indices.made.begin(), indices.made.end());
       for (std::size_t id = 0; id < kept.size(); ++id) {
-        CHECK((places.now[id] < 0) == (kept[id] < 0));
-        if (places.now[id] < 0) continue;
-        CHECK(live[static_cast<std::size_t>(places.now[id])].slot() == id);
-        CHECK(all.insert(places.now[id]).second);
+        CHECK((indices.now[id] < 0) == (kept[id] < 0));
+        if (indices.now[id] < 0) continue;
+        CHECK(live[static_cast<std::size_t>(indices.now[id])].slot() == id);
+        CHECK(all.insert(indices.now[id]).second);
       }
       CHECK(all.size() == live.size());
     };
@@ -243,11 +245,11 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
     REQUIRE(replay(back.editor, inverse(script)).refusal == Refusal::none);
     const ElementMap undone = element_map(back.input.mesh, back.editor);
     for (std::size_t id = 0; id < 20; ++id) {
-      const int place = map.vertices.now[id];
+      const int index = map.vertices.now[id];
       const auto to = [&](std::size_t slot) {
         return slot < undone.vertices.now.size() ? undone.vertices.now[slot] : -1;
       };
-      CHECK(to(id) == (place < 0 ? -1 : static_cast<int>(id)));
+      CHECK(to(id) == (index < 0 ? -1 : static_cast<int>(id)));
     }
     CHECK(undone.vertices.made.size() ==
           static_cast<std::size_t>(std::count(map.vertices.now.begin(), map.vertices.now.end(), -1)));
@@ -256,7 +258,7 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
   }
 }
 
-TEST_CASE("Law W4: scripts that are refused, and where", "[script]") {
+TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   const Surface surface = crooked_torus(4, 4);
   Workshop w(surface);
   // A split, which makes vertex 16 and face 16, a vertex that moves, a collapse that removes vertex 0 or another, a
@@ -378,7 +380,7 @@ TEST_CASE("Law W4: scripts that are refused, and where", "[script]") {
   CHECK_THROWS_AS(restore_ids(twice, result), FileError);
 }
 
-TEST_CASE("Law W4: free ids in another order are another mesh to a script", "[script]") {
+TEST_CASE("Law editing-14: free ids in another order are another mesh to a script", "[script]") {
   Workshop w(crooked_torus(4, 4));
   for (const int h : {4 * 5 + 1, 4 * 2})
     REQUIRE(w.editor.run({BasicOperation::Kind::collapse, HalfEdgeId(h), {}, 0}).refusal == Refusal::none);
@@ -400,7 +402,7 @@ TEST_CASE("Law W4: free ids in another order are another mesh to a script", "[sc
   }
 }
 
-TEST_CASE("Law W4: a broken script changes nothing, however it is broken", "[script]") {
+TEST_CASE("Law editing-14: a broken script changes nothing, however it is broken", "[script]") {
   const Surface surface = crooked_torus(4, 5);
   std::mt19937 random(5);
   Workshop w(surface);
@@ -508,17 +510,17 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   CHECK(slurp(scratch() / "made.obj") == out);
   const json map = json::parse(slurp(scratch() / "map.json"));
   const ElementMap expected = element_map(w.input.mesh, w.editor);
-  const auto check_map = [](const json& of, const std::string& kind, const PlaceMap& places, std::size_t unused) {
+  const auto check_map = [](const json& of, const std::string& kind, const FileIndexMap& indices, std::size_t unused) {
     const json &numbers = of[kind], &made = of["new_" + kind], &from = of["new_" + kind + "_from"];
-    REQUIRE(numbers.size() == places.now.size() + unused);
-    for (std::size_t i = 0; i < places.now.size(); ++i)
-      CHECK(numbers[i + unused] == (places.now[i] < 0 ? json() : json(places.now[i] + 1)));
+    REQUIRE(numbers.size() == indices.now.size() + unused);
+    for (std::size_t i = 0; i < indices.now.size(); ++i)
+      CHECK(numbers[i + unused] == (indices.now[i] < 0 ? json() : json(indices.now[i] + 1)));
     for (std::size_t i = 0; i < unused; ++i) CHECK(numbers[i].is_null());
-    REQUIRE(made.size() == places.made.size());
-    for (std::size_t i = 0; i < made.size(); ++i) CHECK(made[i] == places.made[i] + 1);
+    REQUIRE(made.size() == indices.made.size());
+    for (std::size_t i = 0; i < made.size(); ++i) CHECK(made[i] == indices.made[i] + 1);
     REQUIRE(from.size() == made.size());
     for (std::size_t i = 0; i < from.size(); ++i)
-      CHECK(from[i] == static_cast<std::size_t>(places.made_from[i]) + 1 + unused);
+      CHECK(from[i] == static_cast<std::size_t>(indices.made_from[i]) + 1 + unused);
   };
   check_map(map, "vertices", expected.vertices, 0);
   check_map(map, "faces", expected.faces, 0);

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "mesh/files/feature_edges.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/irregular/reduce.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"

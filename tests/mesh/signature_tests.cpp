@@ -11,7 +11,7 @@
 using namespace requad;
 using namespace requad::mesh;
 
-TEST_CASE("signatures do not depend on names", "[signature]") {
+TEST_CASE("signatures do not depend on names (topology-11)", "[signature]") {
   std::mt19937 random(3);
   for (const tests::CensusEntry& entry : tests::census(14, true)) {
     const std::string expected = signature(entry.region);
@@ -38,7 +38,7 @@ TEST_CASE("every vertex numbering of a small mesh gives one signature", "[signat
   } while (std::next_permutation(name.begin(), name.end()));
 }
 
-TEST_CASE("signatures tell configurations apart and rebuild them", "[signature]") {
+TEST_CASE("signatures tell configurations apart and rebuild them (topology-12)", "[signature]") {
   std::set<std::string> seen;
   for (const tests::CensusEntry& entry : tests::census(16, true)) {
     const std::string text = signature(entry.region);
@@ -92,7 +92,7 @@ std::string least_signature(const QuadMesh& m, Orientation orientation) {
 
 }  // namespace
 
-TEST_CASE("the canonical signature is the least, whatever symmetries spare", "[signature]") {
+TEST_CASE("the canonical signature is the least, whatever symmetries spare (topology-13)", "[signature]") {
   std::mt19937 random(8);
   std::vector<QuadMesh> meshes{tests::cube(), tests::torus(3, 3), tests::torus(4, 4), tests::torus(4, 6),
                                tests::torus(3, 8)};

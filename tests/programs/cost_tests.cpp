@@ -1,5 +1,5 @@
 // What operations cost, counted and not timed: words of the mesh's arrays that change, and allocations. The bounds are
-// those that law O5 (mesh/topology/basic_operations.hpp) and enumerate/search/backtracking.hpp state.
+// those that law topology-9 (mesh/topology/basic_operations.hpp) and enumerate/search/backtracking.hpp state.
 #include <optional>
 
 #include "enumerate/search/backtracking.hpp"
@@ -43,7 +43,7 @@ Words words_changed(const QuadMesh& a, const QuadMesh& b) {
   return n;
 }
 
-// Law O5 in numbers. Faces hold 4 twins and 4 origins.
+// Law topology-9 in numbers. Faces hold 4 twins and 4 origins.
 void check_words(const QuadMesh& before, const BasicOperation& op) {
   QuadMesh after = before;
   INFO(to_string(op));
@@ -77,7 +77,7 @@ void check_words_at_all_sites(const QuadMesh& m) {
 
 }  // namespace
 
-TEST_CASE("law O5: the words that a basic operation changes", "[operations][costs]") {
+TEST_CASE("law topology-9: the words that a basic operation changes", "[operations][costs]") {
   for (const tests::CensusEntry& entry : tests::census(10, true)) check_words_at_all_sites(entry.region.mesh);
   check_words_at_all_sites(tests::cube());
   check_words_at_all_sites(tests::torus(4, 5));

@@ -14,7 +14,7 @@
 #include "enumerate/realisation.hpp"
 #include "enumerate/search/spheres.hpp"
 #include "mesh/editing/features.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/irregular/pair_moves.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
@@ -79,7 +79,7 @@ const std::vector<Start>& starts() {
 }
 const Start& some_start() { return starts()[*rc::gen::inRange(std::size_t{0}, starts().size())]; }
 
-// Boundary edges as pairs of vertices: with O2 these stay, in every loop.
+// Boundary edges as pairs of vertices: by topology-6 these stay, in every loop.
 std::vector<std::array<int, 2>> boundary_edges(const QuadMesh& m) {
   std::vector<std::array<int, 2>> edges;
   for (const HalfEdgeId h : m.half_edges()) {

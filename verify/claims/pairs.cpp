@@ -8,6 +8,7 @@
 #include "enumerate/generators.hpp"
 #include "enumerate/realisation.hpp"
 #include "enumerate/search/search.hpp"
+#include "mesh/topology/distances.hpp"
 #include "mesh/topology/signature.hpp"
 #include "verify/claims/judging.hpp"
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "mesh/irregular/complementary_operations.hpp"
+#include "mesh/topology/distances.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"

@@ -1,0 +1,36 @@
+// Reads polygon meshes from OBJ and OFF files.
+//
+// What is read
+//   OBJ   `v` and `f` lines. A corner is v, v/vt, v//vn or v/vt/vn; v is counted from 1, or, if negative, back from the
+//         last vertex so far. Everything else (normals, texture coordinates, groups, materials, lines, curves) is
+//         skipped. Further numbers of a vertex (weight, colour) must be numbers and are dropped.
+//   OFF   the text format, with one vertex or face to a line and indices from 0; also NOFF, COFF and STOFF, whose
+//         further numbers are dropped, as are the colours of faces.
+// The end of the file's name says which format it is, and the first word must agree. text_scanner.hpp says what lines,
+// words and comments are.
+//
+// Laws
+//   files-1  Vertices and faces come in the file's order, and the corners of a face in its line's order.
+//   files-2  A mesh that is returned has at least one face. Each face has at least three corners, which differ and
+//            exist. Each coordinate is finite and at most kLargestCoordinate in size.
+//   files-3  Any other file, and a file that cannot be read, is refused by a FileError, "file:line: reason".
+//   files-4  Memory is proportional to the size of the file, whatever a header in it promises.
+// Why not tinyobjloader: it takes a malformed number for 0, and it does not know the line (laws files-2 and files-3).
+// Cost: O(size); about half a second for a million quads, and as much again to make a quad mesh of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mesh/files/file_error.hpp"
+#include "mesh/files/polygon_mesh.hpp"
+
+namespace requad::mesh {
+
+// By the end of the name, .obj or .off in any case.
+PolygonMesh read_polygon_mesh(const std::string& path);
+// The same for a text in memory; `name` stands for the file in messages.
+PolygonMesh parse_obj(std::string_view text, const std::string& name);
+PolygonMesh parse_off(std::string_view text, const std::string& name);
+
+}  // namespace requad::mesh
