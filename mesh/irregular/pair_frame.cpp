@@ -20,30 +20,22 @@ bool regular(const QuadMesh& m, VertexId v) { return !m.is_boundary(v) && m.face
 
 }  // namespace
 
-std::optional<HalfEdgeId> walk(const QuadMesh& m, HalfEdgeId h, int steps) {
-  for (int i = 1; i < steps; ++i) {
-    if (!leaves_regular_vertex(m, QuadMesh::next(h))) return std::nullopt;
-    h = m.straight(h);
-  }
-  return h;
-}
-
 std::optional<PairFrame> frame_at(const QuadMesh& m, HalfEdgeId first_leg, int d1, int d2) {
   const HalfEdgeId second_leg = m.ccw(first_leg);
   if (!second_leg.valid()) return std::nullopt;
   PairFrame frame{first_leg, second_leg, m.origin(first_leg), VertexId(), d1, d2};
   if (frame.degenerate()) {
-    const auto end = walk(m, d2 == 0 ? second_leg : first_leg, frame.distance());
+    const auto end = end_of_straight_path(m, d2 == 0 ? second_leg : first_leg, frame.distance());
     if (!end) return std::nullopt;
     frame.v2 = m.target(*end);
     return frame;
   }
   // Both ways round the rectangle must end at the same vertex, turning at regular corners.
-  const auto to_x = walk(m, first_leg, d2);
-  const auto to_y = walk(m, second_leg, d1);
+  const auto to_x = end_of_straight_path(m, first_leg, d2);
+  const auto to_y = end_of_straight_path(m, second_leg, d1);
   if (!to_x || !to_y || !regular(m, m.target(*to_x)) || !regular(m, m.target(*to_y))) return std::nullopt;
-  const auto from_x = walk(m, left_of(m, *to_x), d1);
-  const auto from_y = walk(m, right_of(m, *to_y), d2);
+  const auto from_x = end_of_straight_path(m, left_of(m, *to_x), d1);
+  const auto from_y = end_of_straight_path(m, right_of(m, *to_y), d2);
   if (!from_x || !from_y || m.target(*from_x) != m.target(*from_y)) return std::nullopt;
   frame.v2 = m.target(*from_x);
   return frame;
@@ -83,12 +75,12 @@ std::vector<PairFrame> find_frames(const QuadMesh& m, VertexId v1, VertexId v2) 
 PairFrame seen_from_other_end(const QuadMesh& m, const PairFrame& f) {
   PairFrame other{HalfEdgeId(), HalfEdgeId(), f.v2, f.v1, f.d1, f.d2};
   if (f.d1 == 0) {
-    other.first_leg = m.twin(*walk(m, f.first_leg, f.d2));
+    other.first_leg = m.twin(*end_of_straight_path(m, f.first_leg, f.d2));
   } else {
     // The last half-edge arrives at v2 along its second leg.
     HalfEdgeId start = f.second_leg;
-    if (f.d2 > 0) start = left_of(m, *walk(m, f.first_leg, f.d2));
-    other.first_leg = m.cw(m.twin(*walk(m, start, f.d1)));
+    if (f.d2 > 0) start = left_of(m, *end_of_straight_path(m, f.first_leg, f.d2));
+    other.first_leg = m.cw(m.twin(*end_of_straight_path(m, start, f.d1)));
   }
   other.second_leg = m.ccw(other.first_leg);
   return other;

@@ -40,10 +40,6 @@ struct PairFrame {
   friend bool operator==(const PairFrame&, const PairFrame&) = default;
 };
 
-// Goes straight on for `steps` edges, of which h is the first; steps >= 1. Returns the last half-edge, or nothing if a
-// vertex before the end is irregular or on the boundary. O(steps).
-std::optional<HalfEdgeId> walk(const QuadMesh& mesh, HalfEdgeId h, int steps);
-
 // The frame with these extents and this first leg, or nothing if R_alpha's two boundary paths do not lead to one vertex
 // over regular vertices. Precondition: d1 + d2 >= 1. O(d1 + d2).
 std::optional<PairFrame> frame_at(const QuadMesh& mesh, HalfEdgeId first_leg, int d1, int d2);

@@ -166,11 +166,11 @@ std::optional<PairFrame> frame_after(const QuadMesh& m, Ends ends, Extents exten
       return;
     }
     // One way round the rectangle tells the legs from the other edges; the other way is for the one that has arrived.
-    std::optional<HalfEdgeId> way = extents.d2 > 0 ? walk(m, h, extents.d2) : m.ccw(h);
+    std::optional<HalfEdgeId> way = extents.d2 > 0 ? end_of_straight_path(m, h, extents.d2) : m.ccw(h);
     if (way && extents.d2 > 0 && extents.d1 > 0) {
-      way = m.is_boundary(m.target(*way)) ? std::nullopt : walk(m, QuadMesh::next(*way), extents.d1);
+      way = m.is_boundary(m.target(*way)) ? std::nullopt : end_of_straight_path(m, QuadMesh::next(*way), extents.d1);
     } else if (extents.d1 > 0) {
-      way = walk(m, m.ccw(h), extents.d1);
+      way = end_of_straight_path(m, m.ccw(h), extents.d1);
     }
     if (!way || m.target(*way) != ends.q) return;
     found = frame_at(m, h, extents.d1, extents.d2);
