@@ -16,6 +16,7 @@ class Validator {
   // Each step follows only indices that the steps before have checked.
   std::vector<Defect> run() {
     if (!check_sizes() || !check_ranges()) return std::move(defects_);
+    half_edges_ = m_.half_edges();
     const bool paired = check_twins();
     check_faces();
     check_edges();
@@ -67,7 +68,7 @@ class Validator {
   // Whether twins are paired and have the same ends.
   bool check_twins() {
     const std::size_t before = defects_.size();
-    for (const HalfEdgeId h : m_.half_edges()) {
+    for (const HalfEdgeId h : half_edges_) {
       const HalfEdgeId t = m_.twin(h);
       if (!t.valid()) continue;
       if (t == h || m_.twin(t) != h) {
@@ -92,7 +93,7 @@ class Validator {
 
   void check_edges() {
     std::vector<std::array<int, 2>> edges;
-    for (const HalfEdgeId h : m_.half_edges()) {
+    for (const HalfEdgeId h : half_edges_) {
       if (!m_.twin(h).valid() || h < m_.twin(h))
         edges.push_back({std::min(m_.origin(h), m_.target(h)).index(), std::max(m_.origin(h), m_.target(h)).index()});
     }
@@ -107,7 +108,7 @@ class Validator {
   // `paired`: whether twins are in order, so that fans can be walked.
   void check_fans(bool paired) {
     std::vector<int> degree(static_cast<std::size_t>(m_.vertex_capacity()), 0);
-    for (const HalfEdgeId h : m_.half_edges()) ++degree[m_.origin(h).slot()];
+    for (const HalfEdgeId h : half_edges_) ++degree[m_.origin(h).slot()];
     for (const VertexId v : m_.vertices()) {
       const int half_edges = degree[v.slot()];
       if (half_edges == 0) {
@@ -143,6 +144,7 @@ class Validator {
   }
 
   const QuadMesh& m_;
+  std::vector<HalfEdgeId> half_edges_;  // the live ones
   std::vector<Defect> defects_;
 };
 
