@@ -2,7 +2,8 @@
 //
 // A line ends in LF, CRLF or CR. A backslash at a line's end joins the next line to it. A # at the start of a word
 // starts a comment, up to the line's end. A byte order mark at the start of the text is skipped. The locale has no
-// influence. Cost: linear in the text, which is not copied.
+// influence.
+// Cost: linear in the text, which is not copied.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 //   area vector   Of a quad a b c d: (c - a) x (d - b) / 2, the integral of the normal over any surface that the quad
 //                 bounds. Its direction is the mean normal of the face. Its length is the area of the face projected
 //                 along that normal; if the quad is plane, its area.
-//   triangles     The two triangles into which a diagonal cuts a face. It is the shorter diagonal, unless only the
-//                 other one lies inside the quad. "The surface" is the union of these triangles.
+//   triangles     The two triangles into which the shorter diagonal cuts a face; or the other diagonal, if only that
+//                 one lies inside the quad. "The surface" is the union of these triangles.
 //   inverted      A face with a corner that is flat, folded or reflex as seen along the normal: scaled_jacobian() <= 0.
 #pragma once
 

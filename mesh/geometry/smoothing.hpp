@@ -1,7 +1,7 @@
 // Laplacian smoothing of chosen vertices, which are kept near the surface that they came from (section 8, "Smoothing").
 //
-// An iteration visits the vertices in the given order and moves each towards the mean of its neighbours, which use the
-// positions that this iteration has given them so far (Gauss-Seidel). So the guard sees the faces as they will be.
+// An iteration visits the vertices in the given order and moves each towards the mean of its neighbours, some of which
+// it has moved already (Gauss-Seidel). So the guard sees the faces as they will be.
 //
 // A step of vertex v at p
 //   1. target       The weighted mean of the neighbours. All weights are equal, or each is 1 / length of its edge.

@@ -16,9 +16,9 @@
 //                           other. Vertex v becomes two vertices of valence g1 + 2 and g2 + 2. The path's ends gain 1.
 //   topology-8  An operation followed by the inverse that apply() returns gives an equal mesh: the same ids, and the
 //               same free ids next.
-//   topology-9  An operation writes to the arrays of its own one or two faces, to the twins of their neighbours, and,
-//               if it is a collapse or a split, to the half-edges out of one vertex. It takes O(1), or O(valence) of
-//               the vertex that is removed or made.
+//   topology-9  A flip writes to the half-edges of its two faces and to two twins outside: O(1). A collapse or a split
+//               writes to the half-edges of its face, to the twins outside, and to the half-edges out of the vertex
+//               that is removed or made: O(valence of that vertex).
 // Not a law: a flip is not its own inverse. The three main diagonals of a hexagon join opposite corners, so the third
 // counter-clockwise flip brings an edge back with its ends exchanged.
 #pragma once

@@ -1,15 +1,15 @@
 // The quad mesh with boundary.
 //
 // Terms, for everything in mesh/
-//   half-edge   an edge as one of its faces runs along it. A half-edge has its face on its left; faces are
-//               counter-clockwise. Its twin is the same edge as the other face runs along it.
-//   fan         the half-edges out of a vertex, counter-clockwise: a cycle round an interior vertex, a path at a
-//               boundary vertex.
-//   valence     of a vertex: the number of its edges, l(v) in the paper.
-//   boundary    an edge is on the boundary if it has one face, and so are its vertices. The others are interior.
-//   regular     an interior vertex of valence 4. Other interior vertices are irregular. (For boundary vertices the
-//               paper has turns instead: region.hpp.)
-//   live        an element that is not deleted. The slots of deleted elements are reused, the last one first.
+//   half-edge   One side of an edge, directed so that its face is on its left. So faces are counter-clockwise. Its twin
+//               is the other side of the edge, in the other face.
+//   fan         The half-edges out of a vertex, counter-clockwise: a cycle at an interior vertex, a path at a boundary
+//               vertex.
+//   valence     The number of edges at a vertex, l(v) in the paper.
+//   boundary    The edges with only one face, and their vertices. All other edges and vertices are interior.
+//   regular     An interior vertex of valence 4. Other interior vertices are irregular. (At boundary vertices the paper
+//               measures turns instead: region.hpp.)
+//   live        An element that is not deleted. The ids of deleted elements are free, and the last one is reused first.
 //
 // Representation. Every face is a quad, so half-edge h = 4 * face + k needs no pointer to the next one: next(h) is in
 // the same group of four. What remains is two integers for each half-edge (twin and origin), one half-edge for each
@@ -22,14 +22,14 @@
 //              a -h-> b
 //
 // Invariants, which validate() checks
-//   topology-1  twin is an involution without fixed points on the live half-edges that have one, and
-//               origin(twin(h)) = origin(next(h)).
+//   topology-1  twin(twin(h)) = h, twin(h) differs from h, and origin(twin(h)) = origin(next(h)), for each h that has a
+//               twin. In words: twins are paired and run in opposite directions along one edge.
 //   topology-2  The half-edges out of a vertex form one fan.
 //   topology-3  out(v) of a boundary vertex is the first half-edge of the fan, which has no twin. For an interior
 //               vertex it is any half-edge of the fan.
 //   topology-4  The mesh is simple: no edge joins a vertex to itself, and no two edges join the same two vertices.
 //               Hence the four vertices of a face differ. An interior vertex of valence 2 is allowed.
-// Not required: a mesh may have several components, any genus, and any number of boundary loops, none among them.
+// Not required: connectedness, a boundary, a certain genus.
 //
 // Costs: a step from one element to the next is O(1), a valence is O(valence). No operation changes the handle of an
 // element that it keeps.

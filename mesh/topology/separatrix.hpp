@@ -22,8 +22,8 @@ struct Separatrix {
 // O(length).
 Separatrix trace(const QuadMesh& mesh, HalfEdgeId h);
 
-// The last half-edge of the straight path of `length` edges that starts with h; nothing if a vertex before its end is not
-// regular. Preconditions: h is live; length >= 1. O(length).
+// The last half-edge of the straight path of `length` edges that starts with h; nothing if a vertex before its end is
+// not regular. Preconditions: h is live; length >= 1. O(length).
 inline std::optional<HalfEdgeId> end_of_straight_path(const QuadMesh& mesh, HalfEdgeId h, int length) {
   for (int i = 1; i < length; ++i) {
     if (!leaves_regular_vertex(mesh, QuadMesh::next(h))) return std::nullopt;

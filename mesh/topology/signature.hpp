@@ -31,12 +31,12 @@ enum class Orientation { kept, mirrored };
 std::string signature(const QuadMesh& mesh, HalfEdgeId root, Orientation orientation = Orientation::kept);
 inline std::string signature(const Region& region) { return signature(region.mesh, region.root); }
 
-// The least rooted signature of a connected mesh, over certain roots; mirrored: of the reflected mesh. "" for a mesh
-// without faces.
-// The roots are the half-edges out of the vertices of one kind, which is (boundary or interior, valence): the rarest
-// kind, and the least of those that are equally rare. A root is given up as soon as its text is greater than the least
-// so far. Two equal texts reveal a symmetry, and roots that known symmetries map to an earlier root are skipped.
-// At worst O(F) for each root. O(F log F) in all if every root has the same text, as on a regular torus.
+// The least rooted signature of a connected mesh, over certain roots; mirrored: of the reflected mesh. It is "" for a
+// mesh without faces. The roots are the half-edges out of the vertices of one kind, which is (boundary or interior,
+// valence): the rarest kind, and the least of those that are equally rare. A root is given up as soon as its text is
+// greater than the least so far. Two equal texts reveal a symmetry, and roots that known symmetries map to an earlier
+// root are skipped. At worst O(F) for each root. O(F log F) in all if every root has the same text, as on a regular
+// torus.
 std::string canonical_signature(const QuadMesh& mesh, Orientation orientation = Orientation::kept);
 
 // The mesh of a rooted signature; its root is half-edge 0. Throws MeshError if the text is not the signature of a valid
