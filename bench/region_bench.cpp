@@ -19,6 +19,7 @@ namespace {
 
 using theory::IntegerVector;
 using theory::PairType;
+using theory::RegionShape;
 
 // How long does it take to make a digon strip by strip? It has d x d quads between the pair and d strips along each side,
 // 7 d^2 quads in all.
@@ -53,8 +54,8 @@ BENCHMARK(region_signature)->ArgName("L")->RangeMultiplier(2)->Range(16, 512)->C
 
 // How does a whole exploration of a regular digon grow with its side?
 void exploration(benchmark::State& state) {
-  const IntegerVector sides = IntegerVector::Constant(2, state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(enumerate::explore_all(theory::kDigon, sides, theory::Apex::without));
+  const auto shape = RegionShape::regular(theory::kDigon, state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(enumerate::explore_all(shape, theory::Apex::without));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(exploration)->ArgName("L")->DenseRange(6, 24, 6)->Unit(benchmark::kMillisecond)->Complexity();
@@ -71,9 +72,10 @@ struct Operations {
 // Open and close take as many splits or collapses as the path is long, on average over its two ends. A slide flips along
 // the diagonal of a rectangle and goes straight on for the rest. The sides of the rectangle are those of R_alpha before
 // or after: the lesser ones for a 3-3 pair, the greater ones for a 5-5 pair. Those of a 3-5 pair do not change.
-Operations operations_of_walk(PairType type, const IntegerVector& sides) {
+Operations operations_of_walk(const RegionShape& shape) {
+  const PairType type = shape.type();
   Operations sum;
-  const theory::ConfigurationMap map = theory::configuration_map(type, sides, theory::Apex::with);
+  const theory::ConfigurationMap map = theory::configuration_map(shape, theory::Apex::with);
   for (const theory::MapNode& node : map.nodes) {
     for (std::size_t slot = 0; slot < node.moves.size(); ++slot) {
       if (node.moves[slot].target < 0) continue;
@@ -97,15 +99,15 @@ Operations operations_of_walk(PairType type, const IntegerVector& sides) {
 }
 
 // Sides of length L. A regular region holds no 3-5 pair: there the sides have length L on average.
-IntegerVector walked_sides(PairType type, theory::Integer length) {
-  if (type.symmetric()) return IntegerVector::Constant(type.side_count(), length);
+RegionShape walked_shape(PairType type, theory::Integer length) {
+  if (type.symmetric()) return RegionShape::regular(type, length);
   const theory::Integer third = length / 3;
-  return theory::region_sides(type, {{third, third, IntegerVector::Constant(type.side_count(), third)}, 1});
+  return {type, theory::region_sides(type, {{third, third, IntegerVector::Constant(type.side_count(), third)}, 1})};
 }
 
 struct WalkBench {
   WalkBench(PairType type, std::int64_t length)
-      : table(type, walked_sides(type, length)), start(enumerate::glue_region(type, table.smallest())) {}
+      : table(walked_shape(type, length)), start(enumerate::glue_region(type, table.smallest())) {}
 
   theory::ConfigurationTable table;
   mesh::Region start;
@@ -115,7 +117,7 @@ struct WalkBench {
 // sites of a torus with as many quads as the region has at most.
 void walk_limit(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
-  const Operations todo = operations_of_walk(type, bench.table.sides());
+  const Operations todo = operations_of_walk(bench.table.shape());
   require(todo.flips + todo.others == enumerate::walk(bench.table, bench.start).operations,
           "these are not the operations of the walk");
   // A multiple of 4, as random_sites() has it.

@@ -25,7 +25,7 @@ std::optional<theory::Configuration> labelling(const Region& region, PairType ty
 
 // Every move of one node; new configurations become nodes by node_index.
 void explore_node(Exploration& found, std::size_t i, const std::function<int(const Region&)>& node_index) {
-  const PairType type = found.type;
+  const PairType type = found.shape.type();
   if (!found.nodes[i].reading.problem.empty()) return;  // the caller sees the problem; there is nothing to move
   for (const PairMove& move : moves_of(found.nodes[i].region, found.nodes[i].reading)) {
     FoundMove result;
@@ -63,12 +63,12 @@ std::vector<PairMove> moves_of(const Region& region, const Reading& reading) {
   return v.size() == 1 ? mesh::parting_moves(region.mesh, v[0]) : mesh::pair_moves(region.mesh, v[0], v[1]);
 }
 
-Exploration explore(PairType type, const std::vector<Region>& starts) {
-  Exploration found{type, {}, {}};
+Exploration explore(const theory::RegionShape& shape, const std::vector<Region>& starts) {
+  Exploration found{shape, {}, {}};
   std::unordered_map<std::string, int> index;
   const auto node_index = [&](const Region& region) {
     const auto [it, is_new] = index.emplace(mesh::signature(region), static_cast<int>(found.nodes.size()));
-    if (is_new) found.nodes.push_back({region, it->first, read(region, type)});
+    if (is_new) found.nodes.push_back({region, it->first, read(region, shape.type())});
     return it->second;
   };
   std::size_t i = 0;  // nodes before i are explored
@@ -108,13 +108,13 @@ void sort_nodes(Exploration& found) {
 
 }  // namespace
 
-Exploration explore_all(PairType type, const theory::IntegerVector& sides, theory::Apex apex) {
+Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex) {
   std::vector<Region> starts;
-  for (const auto& c : theory::parameter_set(type, sides)) starts.push_back(glue_region(type, c));
+  for (const auto& c : theory::parameter_set(shape)) starts.push_back(glue_region(shape.type(), c));
   if (apex == theory::Apex::with) {
-    for (const auto& c : theory::merged_configurations(type, sides)) starts.push_back(glue_region(type, c));
+    for (const auto& c : theory::merged_configurations(shape)) starts.push_back(glue_region(shape.type(), c));
   }
-  Exploration found = explore(type, starts);
+  Exploration found = explore(shape, starts);
   sort_nodes(found);
   return found;
 }

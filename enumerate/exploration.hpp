@@ -41,7 +41,7 @@ struct FoundMove {
 std::vector<mesh::PairMove> moves_of(const mesh::Region& region, const Reading& reading);
 
 struct Exploration {
-  theory::PairType type;
+  theory::RegionShape shape;
   std::vector<FoundNode> nodes;
   std::vector<FoundMove> moves;
 
@@ -49,13 +49,13 @@ struct Exploration {
 };
 
 // The first start is explored to the end; a further one becomes a node only if it was not reached, and is explored then.
-// Precondition: region_problem(start) is "". A node in whose region read() finds a problem is kept, with the problem, and
+// Precondition: the starts have this shape, and region_problem() is "" for each. A node in whose region read() finds a problem is kept, with the problem, and
 // not moved. O(nodes * moves * mesh).
-Exploration explore(theory::PairType type, const std::vector<mesh::Region>& starts);
+Exploration explore(const theory::RegionShape& shape, const std::vector<mesh::Region>& starts);
 // From the first configuration of parameter_set(), glued, and from whatever moves did not reach of the others (the merged
 // ones too if apex says so), so that nothing is missing even if the graph were not connected. Nodes are sorted by
-// configuration, merged ones last. Throws as parameter_set().
-Exploration explore_all(theory::PairType type, const theory::IntegerVector& sides, theory::Apex apex);
+// configuration, merged ones last.
+Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex);
 
 // The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n
 // edges and n moves from i to itself n / 2 edges. Throws std::logic_error if the moves do not pair up so. Apex::without

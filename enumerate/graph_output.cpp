@@ -24,11 +24,11 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
     const FoundNode& node = found.nodes[static_cast<std::size_t>(index)];
     const theory::Configuration& c = node.reading.configuration;
     result.names.push_back("n" + std::to_string(result.names.size()));
-    labels.push_back(theory::label(found.type, c));
+    labels.push_back(theory::label(found.shape.type(), c));
     signatures.push_back(node.signature);
     d1.push_back(c.d1());
     d2.push_back(c.d2());
-    p.push_back(third_index(found.type, c));
+    p.push_back(third_index(found.shape.type(), c));
     faces.push_back(node.region.mesh.face_count());
   }
   result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures}};
@@ -59,7 +59,7 @@ nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
   nlohmann::ordered_json json{{"nodes", nlohmann::ordered_json::array()}, {"edges", nlohmann::ordered_json::array()}};
   for (const int node : node_of)
-    json["nodes"].push_back(node_json(found.type, found.nodes[static_cast<std::size_t>(node)]));
+    json["nodes"].push_back(node_json(found.shape.type(), found.nodes[static_cast<std::size_t>(node)]));
   std::vector<std::array<std::size_t, 2>> ends;
   for (const auto e : boost::make_iterator_range(edges(graph))) {
     ends.push_back({std::min(source(e, graph), target(e, graph)), std::max(source(e, graph), target(e, graph))});

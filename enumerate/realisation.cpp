@@ -9,13 +9,14 @@
 namespace requad::enumerate {
 
 using theory::Configuration;
-using theory::IntegerVector;
 using theory::PairType;
+using theory::RegionShape;
 
-Configuration simplest_configuration(PairType type, const IntegerVector& sides) {
-  if (const auto merged = theory::merged_configurations(type, sides); !merged.empty()) return merged.front();
-  const auto all = theory::parameter_set(type, sides);
-  if (all.empty()) throw std::invalid_argument("the region has no configuration with a " + type.name() + " pair");
+Configuration simplest_configuration(const RegionShape& shape) {
+  if (const auto merged = theory::merged_configurations(shape); !merged.empty()) return merged.front();
+  const auto all = theory::parameter_set(shape);
+  if (all.empty())
+    throw std::invalid_argument("the region has no configuration with a " + shape.type().name() + " pair");
   return *std::min_element(all.begin(), all.end(), [](const Configuration& a, const Configuration& b) {
     return a.d1() + a.d2() < b.d1() + b.d2();
   });
@@ -46,8 +47,9 @@ std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, in
 
 }  // namespace
 
-Realisation realise(PairType type, const IntegerVector& sides, const Configuration& from, const Configuration& to) {
-  const theory::ConfigurationMap map = theory::configuration_map(type, sides, theory::Apex::with);
+Realisation realise(const RegionShape& shape, const Configuration& from, const Configuration& to) {
+  const PairType type = shape.type();
+  const theory::ConfigurationMap map = theory::configuration_map(shape, theory::Apex::with);
   const int start = map.find(from);
   const int target = map.find(to);
   for (const auto& [node, c] : {std::pair{start, from}, std::pair{target, to}}) {

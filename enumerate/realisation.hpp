@@ -17,12 +17,12 @@ struct Realisation {
 // The configuration where realise() starts: the merged one if the region has one, else the first of the lowest level,
 // (1,0) in a regular region of odd side (the paper's (0,1)). Throws std::invalid_argument if the region has no
 // configuration at all.
-theory::Configuration simplest_configuration(theory::PairType type, const theory::IntegerVector& sides);
+theory::Configuration simplest_configuration(const theory::RegionShape& shape);
 
 // A shortest path in the predicted graph (with apex), made move by move on the mesh of `from`; each move is chosen by the
 // labels read off the mesh. Throws std::invalid_argument if one of the two is no configuration of the region, and
 // std::logic_error if a predicted step is refused. O(path * mesh).
-Realisation realise(theory::PairType type, const theory::IntegerVector& sides, const theory::Configuration& from,
+Realisation realise(const theory::RegionShape& shape, const theory::Configuration& from,
                     const theory::Configuration& to);
 
 }  // namespace requad::enumerate

@@ -40,14 +40,14 @@ class Walker {
  public:
   Walker(const ConfigurationTable& table, mesh::Region start, const WalkProgress& progress)
       : table_(table),
-        type_(table.type()),
+        type_(table.shape().type()),
         region_(std::move(start)),
         m_(region_.mesh),
         positions_(mesh::boundary_positions(region_)),
         mover_(region_.mesh),
         progress_(progress) {
     // A slide may split all along a side before it collapses.
-    const auto room = static_cast<int>(table.sides().maxCoeff()) + 4;
+    const auto room = static_cast<int>(table.shape().longest()) + 4;
     region_.mesh.reserve(static_cast<int>(table.most_faces()) + room, static_cast<int>(table.most_vertices()) + room);
     tried_.assign(static_cast<std::size_t>(table.size()), 0);
     way_back_.assign(static_cast<std::size_t>(table.size()), kUnseen);
@@ -148,7 +148,7 @@ class Walker {
       return starts_[(i == 0 ? 0 : count_[0]) + static_cast<std::size_t>(separatrix)];
     };
     if (traced && merged && type_.symmetric()) {
-      const int first = theory::locate_merged(table_.sides(), vector(0));
+      const int first = theory::locate_merged(table_.shape(), vector(0));
       if (first >= 0) {
         found.place = {1, {0, 0}};
         const HalfEdgeId h = start(0, first);
@@ -157,7 +157,7 @@ class Walker {
       }
     } else if (traced && !merged &&
                count_ == std::array{static_cast<std::size_t>(type_.l1), static_cast<std::size_t>(type_.l2)}) {
-      if (const auto located = theory::locate(type_, table_.sides(), vector(0), vector(1))) {
+      if (const auto located = theory::locate(table_.shape(), vector(0), vector(1))) {
         const theory::Labelling& l = located->labelling;
         found.place.p = l.p;
         found.place.at = type_.symmetric() ? theory::GridPoint{l.d1, l.d2} : theory::GridPoint{l.e[0], l.e[1]};
@@ -290,10 +290,10 @@ WalkResult walk(const ConfigurationTable& table, mesh::Region start, const WalkP
   return Walker(table, std::move(start), progress).run();
 }
 
-WalkResult walk(PairType type, const theory::IntegerVector& sides, const WalkProgress& progress) {
-  const ConfigurationTable table(type, sides);
+WalkResult walk(const theory::RegionShape& shape, const WalkProgress& progress) {
+  const ConfigurationTable table(shape);
   if (table.pairs() == 0) return {};
-  return walk(table, glue_region(type, table.smallest()), progress);
+  return walk(table, glue_region(shape.type(), table.smallest()), progress);
 }
 
 }  // namespace requad::enumerate

@@ -55,8 +55,8 @@ using WalkProgress = std::function<void(std::int64_t)>;
 // Walks from a mesh of one of the table's configurations. The claim "each exactly once" is then complete() and
 // configurations == predicted. No allocation after the start.
 WalkResult walk(const theory::ConfigurationTable& table, mesh::Region start, const WalkProgress& progress = {});
-// From the configuration with the fewest quads, glued. Throws as ConfigurationTable(); a region without a configuration
+// From the configuration with the fewest quads, glued. Throws like ConfigurationTable(); a region without a configuration
 // has an empty walk.
-WalkResult walk(theory::PairType type, const theory::IntegerVector& sides, const WalkProgress& progress = {});
+WalkResult walk(const theory::RegionShape& shape, const WalkProgress& progress = {});
 
 }  // namespace requad::enumerate

@@ -39,9 +39,11 @@ std::vector<std::string> column(const std::vector<Element>& elements, const Valu
 AttributedGraph attributed_graph(const GridFigure& figure) {
   const auto at_nodes = [&figure](auto value) { return column(figure.nodes, value); };
   const auto at_edges = [&figure](auto value) { return column(figure.edges, value); };
-  const auto grid = [&figure](const GridNode& n) { return figure.grids[static_cast<std::size_t>(n.grid)]; };
+  const auto grid = [&figure](const GridNode& n) -> const Grid& {
+    return figure.grids[static_cast<std::size_t>(n.grid)];
+  };
   const auto grid_point = [&grid](const GridNode& n) {
-    const theory::PairType type = grid(n).type;
+    const theory::PairType type = grid(n).shape.type();
     return theory::grid_point(type, type.symmetric() ? n.configuration : theory::canonical(type, n.configuration));
   };
   const auto original = [&figure](const GridNode& n) {
@@ -58,7 +60,7 @@ AttributedGraph attributed_graph(const GridFigure& figure) {
       {"m", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).m); })},
       {"n", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).n); })},
       {"faces", at_nodes([](const GridNode& n) { return std::to_string(n.faces()); })},
-      {"sides", at_nodes([&](const GridNode& n) { return theory::joined(grid(n).sides, ","); })},
+      {"sides", at_nodes([&](const GridNode& n) { return theory::joined(grid(n).shape.sides(), ","); })},
       {"signature", at_nodes([](const GridNode& n) { return n.signature; })},
       {"same_as", at_nodes(original)},
   };

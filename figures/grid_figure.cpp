@@ -17,6 +17,7 @@ using enumerate::Exploration;
 using enumerate::FoundMove;
 using theory::Configuration;
 using theory::PairType;
+using theory::RegionShape;
 
 using Position = std::array<double, 2>;
 using PositionOf = std::function<Position(const Configuration&)>;
@@ -45,31 +46,30 @@ GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
 
 // Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at two
 // positions become a node and its copy. An edge joins the labellings before and after a move.
-void add_grid(GridFigure& figure, const Exploration& found, const theory::IntegerVector& sides,
-              const std::string& prefix, const PositionOf& position) {
+void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const PositionOf& position) {
   const int grid = static_cast<int>(figure.grids.size());
   const Configuration& any = found.nodes.at(0).reading.configuration;
-  const Parity parity = !found.type.symmetric()          ? Parity::none
+  const Parity parity = !found.shape.type().symmetric()  ? Parity::none
                         : (any.d1() + any.d2()) % 2 == 0 ? Parity::even
                                                          : Parity::odd;
-  figure.grids.push_back({found.type, sides, parity});
+  figure.grids.push_back({found.shape, parity});
   std::map<std::pair<long, long>, int> node_at;
   const auto key = [](Position at) { return std::pair{std::lround(at[0] * 1024), std::lround(at[1] * 1024)}; };
   const auto add_node = [&](const Configuration& labelling, std::size_t found_node, int same_as) {
     const auto [it, is_new] = node_at.emplace(key(position(labelling)), static_cast<int>(figure.nodes.size()));
     if (is_new) {
       const auto& node = found.nodes[found_node];
-      figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(found.type, labelling),
-                              position(labelling), grid, same_as, labelling, node.region,
-                              node.reading.frames.at(0).frame, node.signature});
+      figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()),
+                              theory::label(found.shape.type(), labelling), position(labelling), grid, same_as,
+                              labelling, node.region, node.reading.frames.at(0).frame, node.signature});
     }
     return it->second;
   };
   for (std::size_t i = 0; i < found.nodes.size(); ++i) {
     const Configuration& c = found.nodes[i].reading.configuration;
     const int node = add_node(c, i, -1);
-    if (found.type.symmetric() && c.degenerate() && !c.merged())
-      add_node(theory::other_labelling(found.type, c), i, node);
+    if (found.shape.type().symmetric() && c.degenerate() && !c.merged())
+      add_node(theory::other_labelling(found.shape.type(), c), i, node);
   }
   // A move and its inverse join the same two positions, so every edge is met twice. Two edges may join the same two nodes,
   // or one node with itself, where labellings share a position.
@@ -83,7 +83,7 @@ void add_grid(GridFigure& figure, const Exploration& found, const theory::Intege
     // The moves from the lesser of two nodes are the edges. Of the two moves of a self-loop the first one is.
     const int met = ++drawn[ends];
     if (from->second == to->second ? met % 2 == 0 : from->second != ends.first) continue;
-    figure.edges.push_back(edge_of(found.type, from->second, to->second, move));
+    figure.edges.push_back(edge_of(found.shape.type(), from->second, to->second, move));
   }
 }
 
@@ -103,9 +103,8 @@ std::string sides_text(int length) {
 }
 
 void add_regular(GridFigure& figure, PairType type, int length, const PositionOf& position) {
-  const auto sides = theory::IntegerVector::Constant(type.side_count(), length);
-  add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::with), sides, "L" + std::to_string(length) + "_",
-           position);
+  add_grid(figure, enumerate::explore_all(RegionShape::regular(type, length), theory::Apex::with),
+           "L" + std::to_string(length) + "_", position);
 }
 
 // Axes a fixed angle apart, numbered clockwise. Quadrant p lies between the axes p and p - 1, so (x,0,p) and (0,x,p+1) lie
@@ -149,9 +148,10 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   first.parameters = {d1, d2, theory::IntegerVector::Ones(4)};
   first.parameters.e(2) = m;  // e1 + e3 = M + 1, e2 + e4 = N + 1
   first.parameters.e(3) = n;
-  const theory::IntegerVector sides = theory::region_sides(type, first);
-  GridFigure figure{"Configurations of a 3-5 pair in a region with sides " + theory::joined(sides, " "), {}, {}, {}};
-  add_grid(figure, enumerate::explore_all(type, sides, theory::Apex::without), sides, "n",
+  const RegionShape shape(type, theory::region_sides(type, first));
+  GridFigure figure{
+      "Configurations of a 3-5 pair in a region with sides " + theory::joined(shape.sides(), " "), {}, {}, {}};
+  add_grid(figure, enumerate::explore_all(shape, theory::Apex::without), "n",
            [type](const Configuration& c) -> Position {
              const theory::GridPoint at = grid_point_of(type, c);
              return {static_cast<double>(at.m), static_cast<double>(at.n)};
@@ -161,12 +161,11 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
 
 GridFigure hexagon_figure(const std::vector<theory::Integer>& sides) {
   GridFigure figure{"Configurations of a 5-5 pair in a hexagon with sides " + theory::joined(sides, " "), {}, {}, {}};
-  const theory::IntegerVector lengths = theory::to_vector(sides);
-  theory::require_sides(theory::kHexagon, lengths);
-  if (theory::parameter_set(theory::kHexagon, lengths).empty()) {
+  const RegionShape shape(theory::kHexagon, theory::to_vector(sides));
+  if (theory::parameter_set(shape).empty()) {
     throw std::invalid_argument("a hexagon with these sides holds no 5-5 pair");
   }
-  add_grid(figure, enumerate::explore_all(theory::kHexagon, lengths, theory::Apex::with), lengths, "n",
+  add_grid(figure, enumerate::explore_all(shape, theory::Apex::with), "n",
            [](const Configuration& c) { return on_half_cube(c, 0); });
   return figure;
 }

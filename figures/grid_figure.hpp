@@ -46,8 +46,7 @@ enum class Parity { even, odd, none };
 
 // One grid of a figure: all configurations of a pair in one region.
 struct Grid {
-  theory::PairType type;
-  theory::IntegerVector sides;
+  theory::RegionShape shape;
   Parity parity;
 
   Colour colour() const {

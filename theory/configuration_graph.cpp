@@ -64,15 +64,16 @@ void list_moves(PairType type, MapNode& node) {
 
 }  // namespace
 
-ConfigurationMap configuration_map(PairType type, const IntegerVector& sides, Apex apex) {
+ConfigurationMap configuration_map(const RegionShape& shape, Apex apex) {
+  const PairType type = shape.type();
   ConfigurationMap map{type, {}, {}};
   const auto add_node = [&map](const Configuration& c) {
     map.index.emplace(c, static_cast<int>(map.nodes.size()));
     map.nodes.push_back({c, {}, {}, {}});
   };
-  for (const Configuration& c : parameter_set(type, sides)) add_node(c);
+  for (const Configuration& c : parameter_set(shape)) add_node(c);
   if (apex == Apex::with) {
-    for (const Configuration& c : merged_configurations(type, sides)) add_node(c);
+    for (const Configuration& c : merged_configurations(shape)) add_node(c);
   }
 
   for (MapNode& node : map.nodes) {

@@ -56,8 +56,8 @@ struct ConfigurationMap {
   int find(const Configuration& labelling) const;
 };
 
-// Throws std::invalid_argument on impossible sides. O(nodes log nodes) beyond parameter_set().
-ConfigurationMap configuration_map(PairType type, const IntegerVector& sides, Apex apex);
+// O(nodes log nodes) beyond parameter_set().
+ConfigurationMap configuration_map(const RegionShape& shape, Apex apex);
 
 struct NodeProperty {
   Configuration configuration;

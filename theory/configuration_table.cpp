@@ -5,15 +5,15 @@
 
 namespace requad::theory {
 
-ConfigurationTable::ConfigurationTable(PairType type, const IntegerVector& sides) : type_(type), sides_(sides) {
-  const PairSystem system(type);
-  const std::vector<Configuration> pairs = parameter_set(type, sides);
-  const std::vector<Configuration> merged = merged_configurations(type, sides);
+ConfigurationTable::ConfigurationTable(const RegionShape& shape) : shape_(shape), type_(shape.type()) {
+  const PairSystem& system = shape_.system();
+  const std::vector<Configuration> pairs = parameter_set(shape);
+  const std::vector<Configuration> merged = merged_configurations(shape);
   if (merged.size() > 1) throw std::invalid_argument("more than one merged configuration");
   pairs_ = static_cast<int>(pairs.size());
   merged_ = !merged.empty();
   for (const Configuration& c : pairs) {
-    const GridPoint at = grid_point(type, c);
+    const GridPoint at = grid_point(type_, c);
     columns_ = std::max(columns_, at.m + 1);
     rows_ = std::max(rows_, at.n + 1);
     const Integer faces = system.face_count(c.parameters);
@@ -21,9 +21,9 @@ ConfigurationTable::ConfigurationTable(PairType type, const IntegerVector& sides
     if (&c == &pairs.front() || faces < system.face_count(smallest_.parameters)) smallest_ = c;
   }
   for (const Configuration& c : merged) most_faces_ = std::max(most_faces_, system.face_count(c.parameters));
-  number_.assign(static_cast<std::size_t>(type.rotation_count() * columns_ * rows_), -1);
+  number_.assign(static_cast<std::size_t>(type_.rotation_count() * columns_ * rows_), -1);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const GridPoint at = grid_point(type, pairs[i]);
+    const GridPoint at = grid_point(type_, pairs[i]);
     std::int32_t& number = number_[static_cast<std::size_t>(((pairs[i].p - 1) * columns_ + at.m) * rows_ + at.n)];
     if (number >= 0) throw std::logic_error("two configurations at one grid point");
     number = static_cast<std::int32_t>(i);

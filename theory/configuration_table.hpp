@@ -21,12 +21,11 @@ struct Place {
 
 class ConfigurationTable {
  public:
-  // All configurations of the region, merged ones included. Throws as parameter_set(), and std::invalid_argument if the
-  // region has more than one merged configuration. O(L^2) numbers of memory, besides parameter_set() on the way.
-  ConfigurationTable(PairType type, const IntegerVector& sides);
+  // All configurations of the region, merged ones included. Throws std::invalid_argument if the region has more than one
+  // merged configuration. O(L^2) numbers of memory, besides parameter_set() on the way.
+  explicit ConfigurationTable(const RegionShape& shape);
 
-  PairType type() const { return type_; }
-  const IntegerVector& sides() const { return sides_; }
+  const RegionShape& shape() const { return shape_; }
   // Configurations that hold the pair, numbered 0..pairs()-1; the merged one, if there is one, is number pairs().
   int pairs() const { return pairs_; }
   bool has_merged() const { return merged_; }
@@ -35,7 +34,7 @@ class ConfigurationTable {
   const Configuration& smallest() const { return smallest_; }
   // The most quads that any of them has, the merged one among them, and the most vertices (by Euler's formula).
   Integer most_faces() const { return most_faces_; }
-  Integer most_vertices() const { return most_faces_ + 1 + sides_.sum() / 2; }
+  Integer most_vertices() const { return most_faces_ + 1 + shape_.perimeter() / 2; }
   // Edges of the predicted multigraph, those of the merged configuration among them. O(size()).
   std::int64_t count_edges() const;
 
@@ -60,8 +59,8 @@ class ConfigurationTable {
  private:
   bool degenerate(const Place& place) const { return type_.symmetric() && (place.at.m == 0 || place.at.n == 0); }
 
+  RegionShape shape_;
   PairType type_;
-  IntegerVector sides_;
   int pairs_ = 0;
   bool merged_ = false;
   Configuration smallest_;

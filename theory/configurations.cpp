@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <stdexcept>
-
-#include "theory/joined.hpp"
 
 namespace requad::theory {
 
@@ -12,14 +9,6 @@ namespace {
 
 bool lexicographically_less(const IntegerVector& a, const IntegerVector& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
-// v with v'_i = v_{i+by}: what label i reads when label 1 lies on entry `by` (0-based).
-IntegerVector rotated(const IntegerVector& v, Eigen::Index by) {
-  const Eigen::Index k = v.size();
-  IntegerVector result(k);
-  for (Eigen::Index i = 0; i < k; ++i) result(i) = v((i + by % k + k) % k);
-  return result;
 }
 
 }  // namespace
@@ -45,28 +34,6 @@ std::string label(PairType type, const Configuration& c) {
   std::string text = "(" + std::to_string(at.m) + "," + std::to_string(at.n);
   if (type.symmetric() && type.rotation_count() > 1 && !c.merged()) text += "," + std::to_string(c.p);
   return text + ")";
-}
-
-std::string sides_problem(PairType type, const IntegerVector& sides) {
-  const int k = type.side_count();
-  if (sides.size() != k) {
-    return "a convex region with a " + type.name() + " pair has " + std::to_string(k) + " sides, not " +
-           std::to_string(sides.size());
-  }
-  for (const Integer side : sides) {
-    if (side < 1 || side > kMaxLength) {
-      return "side " + std::to_string(side) + " is not in 1.." + std::to_string(kMaxLength);
-    }
-  }
-  if (sides.sum() % 2 != 0) {
-    return "sides " + joined(sides, ",") + " have the odd sum " + std::to_string(sides.sum()) +
-           "; the boundary of a quadrangulated disk is even";
-  }
-  return "";
-}
-
-void require_sides(PairType type, const IntegerVector& sides) {
-  if (const std::string problem = sides_problem(type, sides); !problem.empty()) throw std::invalid_argument(problem);
 }
 
 std::string parameters_problem(PairType type, const StripParameters& p) {
@@ -135,12 +102,11 @@ Integer longest(const IntegerVector& sides, const IntegerVector& offset) {
 
 }  // namespace
 
-std::vector<Configuration> parameter_set(PairType type, const IntegerVector& sides) {
-  require_sides(type, sides);
-  const PairSystem system(type);
+std::vector<Configuration> parameter_set(const RegionShape& shape) {
+  const PairSystem& system = shape.system();
   std::vector<Configuration> found;
-  for (int p = 1; p <= type.rotation_count(); ++p) {
-    const IntegerVector labelled = rotated(sides, p - 1);
+  for (int p = 1; p <= shape.type().rotation_count(); ++p) {
+    const IntegerVector& labelled = shape.labelled_sides(p);
     const Integer d1_end = longest(labelled, system.first_offset());
     const Integer d2_end = longest(labelled, system.last_offset());
     for (Integer d1 = 1; d1 <= d1_end; ++d1) {  // d1 = 0 is the other labelling of d2 = 0
@@ -155,11 +121,10 @@ std::vector<Configuration> parameter_set(PairType type, const IntegerVector& sid
   return found;
 }
 
-std::vector<Configuration> merged_configurations(PairType type, const IntegerVector& sides) {
-  require_sides(type, sides);
+std::vector<Configuration> merged_configurations(const RegionShape& shape) {
   std::vector<Configuration> found;
-  if (!type.symmetric()) return found;
-  for (IntegerVector& e : solve_circulant(sides)) found.push_back({{0, 0, std::move(e)}, 1});
+  if (!shape.type().symmetric()) return found;
+  for (IntegerVector& e : solve_circulant(shape.sides())) found.push_back({{0, 0, std::move(e)}, 1});
   return found;
 }
 

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "theory/pair_system.hpp"
+#include "theory/region_shape.hpp"
 
 namespace requad::theory {
 
@@ -46,12 +46,8 @@ GridPoint grid_point(PairType type, const Configuration& configuration);
 // "(m,n)", or "(m,n,p)" where p takes more than one value among the configurations of a region (Theorem 7.3).
 std::string label(PairType type, const Configuration& configuration);
 
-// One-line reasons why there is no convex region with these sides, or "" when the sides make sense: k entries, each in
-// 1..kMaxLength, even sum (a quadrangulated disk has an even boundary).
-std::string sides_problem(PairType type, const IntegerVector& sides);
-// Throws that line as std::invalid_argument.
-void require_sides(PairType type, const IntegerVector& sides);
-// The same for parameters: d1, d2 >= 0 and not both 0, k strips, each >= 1, no length beyond kMaxLength.
+// One line that says why no pair has these parameters, or "" if one has: d1, d2 >= 0 and not both 0, k strips, each
+// >= 1, no length beyond kMaxLength.
 std::string parameters_problem(PairType type, const StripParameters& parameters);
 
 // Law 3's second labelling of a degenerate configuration. Precondition: exactly one of d1, d2 is 0.
@@ -63,12 +59,12 @@ Configuration canonical(PairType type, Configuration configuration);
 // Side lengths of the region of a configuration, from side 1 of the region (not of the labelling) on.
 IntegerVector region_sides(PairType type, const Configuration& configuration);
 
-// Every configuration of the region with these sides that still holds the pair, canonical, sorted by p, d1, d2, e.
-// Throws std::invalid_argument when sides_problem() has something to say. O(L^2) solves of the system, L the longest side.
-std::vector<Configuration> parameter_set(PairType type, const IntegerVector& sides);
+// Every configuration of the region that still holds the pair, canonical, sorted by p, d1, d2, e. O(L^2) solves of the
+// system, L the longest side.
+std::vector<Configuration> parameter_set(const RegionShape& shape);
 
 // The merged configurations (0,0), for equal valences: one, or none (it needs E_i = e_{i-1} + e_{i+1} with all e_i >= 1);
-// a family where 4 divides k. Throws as parameter_set().
-std::vector<Configuration> merged_configurations(PairType type, const IntegerVector& sides);
+// a family where 4 divides k.
+std::vector<Configuration> merged_configurations(const RegionShape& shape);
 
 }  // namespace requad::theory

@@ -17,7 +17,7 @@ Integer tau_digon(Integer length);
 // Theorem 7.3: three times that.
 Integer tau_hexagon(Integer length);
 
-// Theorem 7.4 for given sides: K = M N. Sides fix d1 and d2 (d1 - d2 = E1 - E3, d1 + d2 = E4 - E2 in the labelling of
+// Theorem 7.4: K = M N. Sides fix d1 and d2 (d1 - d2 = E1 - E3, d1 + d2 = E4 - E2 in the labelling of
 // Equation 3), so at most one labelling fits; none gives K = 0.
 struct QuadCount {
   int p = 0;  // the labelling, 0 if none
@@ -27,18 +27,19 @@ struct QuadCount {
   Integer n = 0;  // N = E1 - d1 - 1
   Integer k() const { return m * n; }
 };
-QuadCount quad_count(const IntegerVector& sides);
+// Precondition: the shape is that of a 3-5 pair.
+QuadCount quad_count(const RegionShape& shape);
 
 // Exact number of configurations of any convex digon, hexagon or 3-5 region, regular or not.
-//   digon     tau(min(E1, E2)) if E1 and E2 have the same parity, else 0
+//   digon     tau(min(E1, E2))
 //   hexagon   Equation 2 split into its two 3 x 3 systems; positive solutions summed over d1, d2 and the three
 //             orientations, degenerate ones halved since Law 3 counts them twice
 //   3-5       K = M N
-// Throws std::invalid_argument on impossible sides or another pair type. O(L^2) for a hexagon, else O(1).
-Integer exact_count(PairType type, const IntegerVector& sides);
+// Throws std::invalid_argument on another pair type. O(L^2) for a hexagon, else O(1).
+Integer exact_count(const RegionShape& shape);
 
 // Side length of the smallest regular digon or hexagon that holds a region with these sides: the least L >= all E_i for
-// which the region can be grown to L, L, ... by strips alone; 0 if there is none. Throws as exact_count().
-Integer smallest_regular(PairType type, const IntegerVector& sides);
+// which the region can be grown to L, L, ... by strips alone. Throws std::invalid_argument on another pair type.
+Integer smallest_regular(const RegionShape& shape);
 
 }  // namespace requad::theory

@@ -16,6 +16,13 @@ std::optional<PairType> pair_type(std::string_view name) {
   return name == "5-3" ? std::optional(kQuad) : std::nullopt;
 }
 
+IntegerVector rotated(const IntegerVector& v, Eigen::Index by) {
+  const Eigen::Index k = v.size();
+  IntegerVector result(k);
+  for (Eigen::Index i = 0; i < k; ++i) result(i) = v((i + by % k + k) % k);
+  return result;
+}
+
 PairSystem::PairSystem(PairType type) : type_(type) {
   assert(type.l1 >= type.l2 && type.l2 >= 3);
   const int k = type.side_count();

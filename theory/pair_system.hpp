@@ -38,6 +38,8 @@ using IntegerMatrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
 inline IntegerVector to_vector(const std::vector<Integer>& values) {
   return IntegerVector::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
+// v with v'_i = v_{i + by}, indices modulo k: what label i reads when label 1 lies on entry `by` (0-based). O(k).
+IntegerVector rotated(const IntegerVector& v, Eigen::Index by);
 
 // Longest side that parameters may have: products of two lengths, and sums of a few, stay far inside 64 bits.
 inline constexpr Integer kMaxLength = 1'000'000;

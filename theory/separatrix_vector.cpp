@@ -36,8 +36,9 @@ Configuration to_configuration(PairType type, const Labelling& labelling) {
   return c;
 }
 
-SeparatrixVector separatrix_vector(PairType type, const IntegerVector& sides, const Labelling& l) {
-  const Frame frame{type, sides, type.side_count()};
+SeparatrixVector separatrix_vector(const RegionShape& shape, const Labelling& l) {
+  const PairType type = shape.type();
+  const Frame frame{type, shape.sides(), type.side_count()};
   // Labels of the first and last outward separatrices of v1 and v2.
   const std::array<int, 2> first{0, type.l1 - 2};
   const std::array<int, 2> last{type.l1 - 3, frame.k - 1};
@@ -102,9 +103,10 @@ std::optional<Labelling> read(const Frame& frame, std::span<const Crossing> at_v
 
 }  // namespace
 
-std::optional<Located> locate(PairType type, const IntegerVector& sides, std::span<const Crossing> at_v1,
+std::optional<Located> locate(const RegionShape& shape, std::span<const Crossing> at_v1,
                               std::span<const Crossing> at_v2) {
-  const Frame frame{type, sides, type.side_count()};
+  const PairType type = shape.type();
+  const Frame frame{type, shape.sides(), type.side_count()};
   const int l1 = type.l1;
   const int l2 = type.l2;
   for (int leg1 = 0; leg1 < l1; ++leg1) {
@@ -112,7 +114,7 @@ std::optional<Located> locate(PairType type, const IntegerVector& sides, std::sp
       std::optional<Labelling> l = read(frame, at_v1, leg1, at_v2, leg2);
       if (!l || l->d1 == 0) continue;  // d1 = 0 is the other labelling of d2 = 0
       Located located{*l, false, leg1, leg2};
-      const SeparatrixVector predicted = separatrix_vector(type, sides, *l);
+      const SeparatrixVector predicted = separatrix_vector(shape, *l);
       bool same = true;
       for (int i = 0; i < l1 && same; ++i) same = predicted.at_v1[slot(i)] == at_v1[slot((leg1 + i) % l1)];
       for (int i = 0; i < l2 && same; ++i) same = predicted.at_v2[slot(i)] == at_v2[slot((leg2 + i) % l2)];
@@ -136,8 +138,9 @@ std::optional<Located> locate(PairType type, const IntegerVector& sides, std::sp
   return std::nullopt;
 }
 
-int locate_merged(const IntegerVector& sides, std::span<const Crossing> at_v) {
-  const int k = static_cast<int>(sides.size());
+int locate_merged(const RegionShape& shape, std::span<const Crossing> at_v) {
+  const IntegerVector& sides = shape.sides();
+  const int k = shape.side_count();
   if (static_cast<int>(at_v.size()) != k) return -1;
   for (int first = 0; first < k; ++first) {
     if (at_v[slot(first)].side != 0) continue;

@@ -48,12 +48,12 @@ struct Labelling {
 Labelling to_labelling(const Configuration& configuration);
 Configuration to_configuration(PairType type, const Labelling& labelling);
 
-// Law 5, the crossings of both vertices in frame order. Precondition: type.side_count() <= kMostSides, d1 > 0 or d2 > 0.
+// Law 5, the crossings of both vertices in frame order. Precondition: shape.side_count() <= kMostSides, d1 > 0 or d2 > 0.
 struct SeparatrixVector {
   std::array<Crossing, kMostSeparatrices> at_v1{};
   std::array<Crossing, kMostSeparatrices> at_v2{};
 };
-SeparatrixVector separatrix_vector(PairType type, const IntegerVector& sides, const Labelling& labelling);
+SeparatrixVector separatrix_vector(const RegionShape& shape, const Labelling& labelling);
 
 // Law 6. `at_v1` and `at_v2` are counter-clockwise from any separatrix. The labelling is canonical: d1 > 0 and, for equal
 // valences, p <= k / 2.
@@ -64,11 +64,11 @@ struct Located {
   int leg2 = 0;          // in at_v2
 };
 // Nothing if no labelling has this very vector, lengths included. O(l1 l2), no allocation.
-std::optional<Located> locate(PairType type, const IntegerVector& sides, std::span<const Crossing> at_v1,
+std::optional<Located> locate(const RegionShape& shape, std::span<const Crossing> at_v1,
                               std::span<const Crossing> at_v2);
 
 // The same for the merged vertex: separatrix i meets side i at e_{i-1}, after e_i edges. Index of the separatrix that
 // meets side 1; -1 if the vector is not that of a merged vertex.
-int locate_merged(const IntegerVector& sides, std::span<const Crossing> at_v);
+int locate_merged(const RegionShape& shape, std::span<const Crossing> at_v);
 
 }  // namespace requad::theory

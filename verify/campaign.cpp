@@ -55,8 +55,9 @@ void for_each_necklace(int k, Integer sum, Visit&& visit) {
 CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
   CaseList list;
   const auto add = [&](Family family, theory::PairType type, const IntegerVector& sides) {
+    const theory::RegionShape shape(type, sides);
     // Empty only if both the closed form and the parameter set say so; if they differ, the claim will.
-    if (theory::exact_count(type, sides) == 0 && theory::parameter_set(type, sides).empty()) {
+    if (theory::exact_count(shape) == 0 && theory::parameter_set(shape).empty()) {
       ++list.empty[family];
     } else {
       list.cases.push_back({family, type, sides});
@@ -175,7 +176,7 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   const auto steps = [&](std::size_t i) {
     const RegionCase& c = list.cases[i];
     const bool pair = c.family != Family::single_vertex && c.family != Family::three_vertices;
-    return !walks_alone ? std::int64_t{1} : pair ? theory::exact_count(c.type, c.sides) : std::int64_t{0};
+    return !walks_alone ? std::int64_t{1} : pair ? theory::exact_count({c.type, c.sides}) : std::int64_t{0};
   };
   std::int64_t all_steps = 0;
   for (std::size_t i = 0; i < list.cases.size(); ++i) all_steps += steps(i);

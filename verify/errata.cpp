@@ -13,7 +13,7 @@ namespace {
 constexpr int kLongestSide = 8;
 
 enumerate::Exploration explored(theory::PairType type, int length, theory::Apex apex) {
-  return enumerate::explore_all(type, theory::IntegerVector::Constant(type.side_count(), length), apex);
+  return enumerate::explore_all(theory::RegionShape::regular(type, length), apex);
 }
 
 // The first regular region for which `shows` has something to tell.
@@ -66,7 +66,7 @@ std::vector<Erratum> find_errata() {
                      [](int length, const enumerate::Exploration& e) -> std::string {
                        for (const auto& node : e.nodes) {
                          const auto& c = node.reading.configuration;
-                         if (c.d1() + c.d2() == length - 2) return theory::label(e.type, c) + " exists";
+                         if (c.d1() + c.d2() == length - 2) return theory::label(e.shape.type(), c) + " exists";
                        }
                        return "";
                      }));

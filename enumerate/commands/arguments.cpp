@@ -1,6 +1,7 @@
 #include "enumerate/commands/arguments.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesh/files/write_obj.hpp"
 #include "mesh/program/journal_file.hpp"
@@ -27,23 +28,25 @@ PairType required_pair(const Options& options) {
   return *type;
 }
 
-IntegerVector required_sides(const Options& options, PairType type) {
+theory::RegionShape required_shape(const Options& options) {
+  const PairType type = required_pair(options);
   const std::string text = options.required("sides", "side lengths as in --sides 9,9");
   IntegerVector sides = theory::to_vector(program::parse_integers(text, "--sides"));
-  if (const std::string problem = theory::sides_problem(type, sides); !problem.empty())
+  if (const std::string problem = theory::RegionShape::problem(type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
+  theory::RegionShape shape(type, std::move(sides));
   // What exploring would keep in memory: the mesh of every configuration.
   constexpr double kMostQuads = 2e8;
-  const auto longest = static_cast<double>(sides.maxCoeff());
+  const auto longest = static_cast<double>(shape.longest());
   const double area = longest * longest / 2;
   const double configurations =
-      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(type, sides));
+      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(shape));
   if (area * std::max(configurations, 1.0) > kMostQuads) {
     throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) +
                      " configurations of some " + std::to_string(static_cast<std::int64_t>(area)) +
                      " quads are more than this command keeps in memory");
   }
-  return sides;
+  return shape;
 }
 
 std::vector<program::Option> search_options() {

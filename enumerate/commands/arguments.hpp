@@ -11,7 +11,7 @@
 #include "mesh/program/program.hpp"
 #include "mesh/program/progress.hpp"
 #include "mesh/topology/region.hpp"
-#include "theory/pair_system.hpp"
+#include "theory/region_shape.hpp"
 
 namespace requad::enumerate {
 
@@ -19,10 +19,10 @@ namespace requad::enumerate {
 
 // --sides and --pair.
 std::vector<program::Option> pair_region_options();
-// Their values. Each throws UsageError if it is missing or wrong; the sides also if exploring the region would keep more
-// in memory than is reasonable.
+// Their values: the pair alone, or the shape of the region. Throw UsageError if one is missing or wrong, and if exploring
+// the region would keep more in memory than is reasonable.
 theory::PairType required_pair(const program::Options& options);
-theory::IntegerVector required_sides(const program::Options& options, theory::PairType type);
+theory::RegionShape required_shape(const program::Options& options);
 
 // --- searches --------------------------------------------------------------------------------------------------------
 

@@ -15,11 +15,10 @@ std::string graph_text(const Exploration& found, theory::Apex apex, const std::s
 }
 
 int graph(const program::Options& options) {
-  const theory::PairType type = required_pair(options);
-  const theory::IntegerVector sides = required_sides(options, type);
+  const theory::RegionShape shape = required_shape(options);
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
   const std::string format = options.choice("format", {"json", "dot", "graphml"}, "json");
-  const Exploration found = explore_all(type, sides, apex);
+  const Exploration found = explore_all(shape, apex);
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), graph_text(found, apex, "json"));
   if (options.has("output") || !options.on_stdout("json"))

@@ -13,7 +13,6 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 using theory::Configuration;
-using theory::IntegerVector;
 using theory::PairType;
 
 // How labels of this type are written.
@@ -23,8 +22,9 @@ const char* label_form(PairType type) {
 }
 
 // The configuration of the region whose label the option gives. Throws UsageError.
-Configuration required_configuration(const Options& options, const std::string& name, PairType type,
-                                     const IntegerVector& sides) {
+Configuration required_configuration(const Options& options, const std::string& name,
+                                     const theory::RegionShape& shape) {
+  const PairType type = shape.type();
   const std::string text = options.required(name, "a label as in --" + name + " 1,1");
   const std::vector<std::int64_t> label = program::parse_integers(text, "--" + name);
   const bool has_p = type.symmetric() && type.rotation_count() > 1;
@@ -32,7 +32,7 @@ Configuration required_configuration(const Options& options, const std::string& 
   if (label.size() != (has_p ? 3U : 2U) && !(is_merged && label.size() == 2))
     throw UsageError("--" + name + ": '" + text + "' is not of the form " + label_form(type));
   const std::vector<Configuration> all =
-      is_merged ? theory::merged_configurations(type, sides) : theory::parameter_set(type, sides);
+      is_merged ? theory::merged_configurations(shape) : theory::parameter_set(shape);
   for (const Configuration& c : all) {
     const theory::GridPoint point = theory::grid_point(type, c);
     if (point.m == label[0] && point.n == label[1] && (!has_p || is_merged || c.p == label[2])) return c;
@@ -46,17 +46,14 @@ Configuration required_configuration(const Options& options, const std::string& 
 }
 
 int path(const Options& options) {
-  const PairType type = required_pair(options);
-  const IntegerVector sides = required_sides(options, type);
-  const Configuration from = required_configuration(options, "from", type, sides);
-  const Configuration to = required_configuration(options, "to", type, sides);
-  const Realisation made = realise(type, sides, from, to);
-  ordered_json json{{"sides", as_ints(sides)},
-                    {"pair", type.name()},
-                    {"path", ordered_json::array()},
-                    {"moves", ordered_json::array()},
-                    {"operations", ordered_json::array()},
-                    {"signature", mesh::signature(made.region)}};
+  const theory::RegionShape shape = required_shape(options);
+  const PairType type = shape.type();
+  const Configuration from = required_configuration(options, "from", shape);
+  const Configuration to = required_configuration(options, "to", shape);
+  const Realisation made = realise(shape, from, to);
+  ordered_json json{{"sides", as_ints(shape.sides())},     {"pair", type.name()},
+                    {"path", ordered_json::array()},       {"moves", ordered_json::array()},
+                    {"operations", ordered_json::array()}, {"signature", mesh::signature(made.region)}};
   std::string text;
   for (std::size_t i = 0; i < made.path.size(); ++i) {
     const std::string label = theory::label(type, made.path[i]);

@@ -28,7 +28,8 @@ mesh::Region make_region(PairType type, const IntegerVector& sides, const Config
                          const std::string& generator) {
   if (generator == "glue") return glue_region(type, c);
   if (generator == "grow") return grow_region(type, c);
-  return realise(type, sides, simplest_configuration(type, sides), c).region;
+  const theory::RegionShape shape(type, sides);
+  return realise(shape, simplest_configuration(shape), c).region;
 }
 
 int region(const Options& options) {

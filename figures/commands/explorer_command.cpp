@@ -19,13 +19,15 @@ int explorer(const program::Options& options) {
   if (!type) throw UsageError("--pair: '" + pair + "' is not one of 3-3, 5-5, 3-5");
   const theory::IntegerVector sides = theory::to_vector(
       program::parse_integers(options.required("sides", "side lengths as in --sides 6,6"), "--sides"));
-  if (const std::string problem = explorer_problem(*type, sides); !problem.empty())
+  if (const std::string problem = theory::RegionShape::problem(*type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
+  const theory::RegionShape shape(*type, sides);
+  if (const std::string problem = explorer_problem(shape); !problem.empty()) throw UsageError("--sides: " + problem);
   const std::string path = options.text("output", "explorer.html");
   program::require_writable(path);
 
-  const enumerate::Exploration found = enumerate::explore_all(*type, sides, theory::Apex::with);
-  const ordered_json data = explorer_data(found, sides);
+  const enumerate::Exploration found = enumerate::explore_all(shape, theory::Apex::with);
+  const ordered_json data = explorer_data(found);
   const std::string page = explorer_page(data);
 
   const auto& claims = data["claims"];

@@ -33,8 +33,6 @@ std::string counted(std::size_t number, const std::string& one) {
   return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
 
-bool all_equal(const IntegerVector& sides) { return (sides.array() == sides(0)).all(); }
-
 std::vector<Configuration> pairs_of(const Exploration& found) {
   std::vector<Configuration> result;
   for (const FoundNode& node : found.nodes) {
@@ -44,16 +42,16 @@ std::vector<Configuration> pairs_of(const Exploration& found) {
 }
 
 // Theorems 7.2, 7.3 and 7.4: the number of configurations.
-RegionClaim count_claim(const Exploration& found, const IntegerVector& sides) {
-  const PairType type = found.type;
+RegionClaim count_claim(const Exploration& found) {
+  const PairType type = found.shape.type();
   const std::vector<Configuration> pairs = pairs_of(found);
   const auto number = static_cast<Integer>(pairs.size());
-  const Integer exact = theory::exact_count(type, sides);
+  const Integer exact = theory::exact_count(found.shape);
   RegionClaim claim;
   claim.found = counted(pairs.size(), "configuration") + " reached by moves";
   claim.holds = number == exact;
   if (type == theory::kQuad) {
-    const theory::QuadCount count = theory::quad_count(sides);
+    const theory::QuadCount count = theory::quad_count(found.shape);
     claim.id = "T4";
     claim.where = "Theorem 7.4";
     claim.statement = "A convex region with a 3-5 pair has exactly K = M N configurations.";
@@ -65,15 +63,16 @@ RegionClaim count_claim(const Exploration& found, const IntegerVector& sides) {
   const std::string shape = digon ? "digon" : "hexagon";
   claim.id = digon ? "T2" : "T3";
   claim.where = digon ? "Theorem 7.2" : "Theorem 7.3";
-  if (all_equal(sides)) {
-    const Integer n = sides(0) / 2;
-    const std::string formula = (digon ? "" : "3 ") + std::string(sides(0) % 2 == 0 ? "N (N - 1)" : "N^2");
+  if (found.shape.is_regular()) {
+    const Integer n = found.shape.longest() / 2;
+    const std::string formula = (digon ? "" : "3 ") + std::string(found.shape.longest() % 2 == 0 ? "N (N - 1)" : "N^2");
     claim.statement = "A regular " + shape + " of side L has tau(L) configurations of a " + type.name() +
                       " pair, one for each (m,n" + (digon ? "" : ",p") + ") of the parameter set.";
-    claim.predicted = "tau(" + text(sides(0)) + ") = " + formula + " = " + text(tau(sides(0))) + " with N = " + text(n);
-    claim.holds = claim.holds && number == tau(sides(0));
+    claim.predicted = "tau(" + text(found.shape.longest()) + ") = " + formula + " = " +
+                      text(tau(found.shape.longest())) + " with N = " + text(n);
+    claim.holds = claim.holds && number == tau(found.shape.longest());
   } else {
-    const Integer length = theory::smallest_regular(type, sides);
+    const Integer length = theory::smallest_regular(found.shape);
     claim.statement =
         "A " + shape +
         " that is not regular has at most tau(L) configurations, L being the side of the smallest regular " + shape +
@@ -84,9 +83,9 @@ RegionClaim count_claim(const Exploration& found, const IntegerVector& sides) {
   return claim;
 }
 
-RegionClaim set_claim(const Exploration& found, const IntegerVector& sides) {
+RegionClaim set_claim(const Exploration& found) {
   std::vector<Configuration> pairs = pairs_of(found);
-  const std::vector<Configuration> predicted = theory::parameter_set(found.type, sides);
+  const std::vector<Configuration> predicted = theory::parameter_set(found.shape);
   std::sort(pairs.begin(), pairs.end());
   const auto common =
       static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [&predicted](const Configuration& c) {
@@ -114,16 +113,18 @@ std::multiset<std::pair<std::string, std::string>> labelled_edges(PairType type,
   return result;
 }
 
-RegionClaim graph_claim(const Exploration& found, const IntegerVector& sides) {
-  const auto predicted =
-      labelled_edges(found.type, theory::configuration_graph(theory::configuration_map(found.type, sides, Apex::with)));
-  const auto made = labelled_edges(found.type, enumerate::found_graph(found, Apex::with));
+RegionClaim graph_claim(const Exploration& found) {
+  const auto predicted = labelled_edges(
+      found.shape.type(), theory::configuration_graph(theory::configuration_map(found.shape, Apex::with)));
+  const auto made = labelled_edges(found.shape.type(), enumerate::found_graph(found, Apex::with));
   std::vector<std::pair<std::string, std::string>> common;
   std::set_intersection(made.begin(), made.end(), predicted.begin(), predicted.end(), std::back_inserter(common));
-  const char* where = found.type == theory::kQuad    ? "Figure 12"
-                      : found.type == theory::kDigon ? "Figure 10"
-                                                     : "Figure 11";
-  return {found.type == theory::kQuad ? "T4" : found.type == theory::kDigon ? "T2" : "T3",
+  const char* where = found.shape.type() == theory::kQuad    ? "Figure 12"
+                      : found.shape.type() == theory::kDigon ? "Figure 10"
+                                                             : "Figure 11";
+  return {found.shape.type() == theory::kQuad    ? "T4"
+          : found.shape.type() == theory::kDigon ? "T2"
+                                                 : "T3",
           where,
           "The configurations and the moves between them form the grid of the figure.",
           counted(predicted.size(), "edge"),
@@ -153,16 +154,17 @@ RegionClaim distance_claim(const Exploration& found) {
     if (!move.before || !move.after) continue;
     const Integer x = move.after->d1() - move.before->d1();
     const Integer y = move.after->d2() - move.before->d2();
-    if (found.type.symmetric() ? x * x == 1 && y * y == 1 : x == 0 && y == 0) ++as_claimed;
+    if (found.shape.type().symmetric() ? x * x == 1 && y * y == 1 : x == 0 && y == 0) ++as_claimed;
   }
   const bool holds = made == as_claimed;
-  if (found.type.symmetric()) {
-    return {"P2",
-            "section 6",
-            "A move of a " + found.type.name() + " pair changes (d1,d2) by (+1,+1), (+1,-1), (-1,+1) or (-1,-1).",
-            counted(made, "move"),
-            counted(as_claimed, "move"),
-            holds};
+  if (found.shape.type().symmetric()) {
+    return {
+        "P2",
+        "section 6",
+        "A move of a " + found.shape.type().name() + " pair changes (d1,d2) by (+1,+1), (+1,-1), (-1,+1) or (-1,-1).",
+        counted(made, "move"),
+        counted(as_claimed, "move"),
+        holds};
   }
   return {"P1", "section 6", "A move of a 3-5 pair keeps (d1,d2).", counted(made, "move"), counted(as_claimed, "move"),
           holds};
@@ -171,7 +173,7 @@ RegionClaim distance_claim(const Exploration& found) {
 // P3: the quads made minus the quads deleted follow the formula of section 6, and a mesh has as many quads as its strips
 // say.
 RegionClaim faces_claim(const Exploration& found) {
-  const theory::PairSystem system(found.type);
+  const theory::PairSystem system(found.shape.type());
   const auto quads = [&system](const Configuration& c) { return system.face_count(c.parameters); };
   std::size_t moves = 0;
   std::size_t as_claimed = 0;
@@ -210,9 +212,9 @@ RegionClaim inverse_claim(const Exploration& found) {
 }
 
 // N2: d1 + d2 has one parity, and there is a merged vertex where it is even and there is room.
-RegionClaim parity_claim(const Exploration& found, const IntegerVector& sides) {
-  const bool even = theory::smallest_regular(found.type, sides) % 2 == 0;
-  const std::size_t merged = theory::merged_configurations(found.type, sides).size();
+RegionClaim parity_claim(const Exploration& found) {
+  const bool even = theory::smallest_regular(found.shape) % 2 == 0;
+  const std::size_t merged = theory::merged_configurations(found.shape).size();
   std::set<Integer> parities;
   std::size_t reached = 0;
   for (const FoundNode& node : found.nodes) {
@@ -220,7 +222,7 @@ RegionClaim parity_claim(const Exploration& found, const IntegerVector& sides) {
     parities.insert((c.d1() + c.d2()) % 2);
     if (c.merged()) ++reached;
   }
-  const std::string vertex = "v" + std::to_string(found.type.side_count());
+  const std::string vertex = "v" + std::to_string(found.shape.type().side_count());
   const auto outcome = [&vertex](const std::string& parity, std::size_t number) {
     return "d1 + d2 " + parity + ", " + (number == 0 ? "no " + vertex : "a " + vertex);
   };
@@ -252,35 +254,35 @@ RegionClaim rectangle_claim(const Exploration& found) {
           pairs == grids};
 }
 
-RegionClaim sides_claim(const Exploration& found, const IntegerVector& sides) {
+RegionClaim sides_claim(const Exploration& found) {
   std::set<int> curvature;
   bool kept = true;
   for (const FoundNode& node : found.nodes) {
     curvature.insert(mesh::total_index(node.region.mesh));
     const std::vector<int> now = mesh::side_lengths(node.region);
-    kept = kept && std::equal(now.begin(), now.end(), sides.begin(), sides.end());
+    kept = kept && std::equal(now.begin(), now.end(), found.shape.sides().begin(), found.shape.sides().end());
   }
-  const int k = found.type.side_count();
+  const int k = found.shape.type().side_count();
   const bool holds = kept && curvature == std::set<int>{4 - k};
   return {"L9",
           "Lemma 7.9",
           "The region has 4 - G sides, G being the sum of 4 - valence over the vertices inside; no move touches the "
           "boundary.",
-          "G = " + std::to_string(4 - k) + ", sides " + text(sides),
+          "G = " + std::to_string(4 - k) + ", sides " + text(found.shape.sides()),
           holds ? "the same in all meshes" : "something else",
           holds};
 }
 
 }  // namespace
 
-std::vector<RegionClaim> region_claims(const Exploration& found, const IntegerVector& sides) {
-  std::vector<RegionClaim> claims{count_claim(found, sides), set_claim(found, sides), graph_claim(found, sides),
-                                  connected_claim(found), distance_claim(found)};
-  if (found.type.symmetric()) claims.push_back(parity_claim(found, sides));
+std::vector<RegionClaim> region_claims(const Exploration& found) {
+  std::vector<RegionClaim> claims{count_claim(found), set_claim(found), graph_claim(found), connected_claim(found),
+                                  distance_claim(found)};
+  if (found.shape.type().symmetric()) claims.push_back(parity_claim(found));
   claims.push_back(faces_claim(found));
   claims.push_back(inverse_claim(found));
   claims.push_back(rectangle_claim(found));
-  claims.push_back(sides_claim(found, sides));
+  claims.push_back(sides_claim(found));
   return claims;
 }
 

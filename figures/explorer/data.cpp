@@ -299,30 +299,29 @@ ordered_json node_json(PairType type, const FoundNode& node) {
 
 }  // namespace
 
-std::string explorer_problem(PairType type, const IntegerVector& sides) {
-  if (std::string problem = theory::sides_problem(type, sides); !problem.empty()) return problem;
+std::string explorer_problem(const theory::RegionShape& shape) {
   const auto too_much = [](const std::string& what, Integer most) {
     return what + "; the explorer, to stay quick, takes at most " + std::to_string(most);
   };
-  if (sides.maxCoeff() > kLongestSide)
-    return too_much("a side of " + std::to_string(sides.maxCoeff()) + " edges", kLongestSide);
-  const Integer count = theory::exact_count(type, sides);
-  if (count == 0) return "the region has no configuration with a " + type.name() + " pair";
+  if (shape.longest() > kLongestSide)
+    return too_much("a side of " + std::to_string(shape.longest()) + " edges", kLongestSide);
+  const Integer count = theory::exact_count(shape);
+  if (count == 0) return "the region has no configuration with a " + shape.type().name() + " pair";
   if (count > kMostConfigurations) return too_much(std::to_string(count) + " configurations", kMostConfigurations);
   Integer quads = 0;
-  const theory::PairSystem system(type);
-  for (const Configuration& c : theory::parameter_set(type, sides)) quads += system.face_count(c.parameters);
+  for (const Configuration& c : theory::parameter_set(shape)) quads += shape.system().face_count(c.parameters);
   if (quads > kMostQuads) {
     return too_much(std::to_string(quads) + " quads in " + std::to_string(count) + " configurations", kMostQuads);
   }
   return "";
 }
 
-ordered_json explorer_data(const Exploration& found, const IntegerVector& sides) {
-  const PairType type = found.type;
+ordered_json explorer_data(const Exploration& found) {
+  const PairType type = found.shape.type();
+  const IntegerVector& sides = found.shape.sides();
   ordered_json json{{"pair", type.name()},
                     {"sides", std::vector<Integer>(sides.begin(), sides.end())},
-                    {"regular", type.symmetric() && (sides.array() == sides(0)).all()},
+                    {"regular", type.symmetric() && found.shape.is_regular()},
                     {"grid", type.rotation_count() == 3 ? "cube" : "flat"},
                     {"nodes", ordered_json::array()},
                     {"moves", ordered_json::array()},
@@ -346,7 +345,7 @@ ordered_json explorer_data(const Exploration& found, const IntegerVector& sides)
                              {"arrows", arrows(from.region.mesh, move.move)},
                              {"operations", operations_json(from.region.mesh, move.script)}});
   }
-  for (const RegionClaim& claim : region_claims(found, sides)) {
+  for (const RegionClaim& claim : region_claims(found)) {
     json["claims"].push_back({{"id", claim.id},
                               {"where", claim.where},
                               {"statement", claim.statement},

@@ -42,9 +42,9 @@ inline constexpr theory::Integer kMostConfigurations = 150;
 inline constexpr theory::Integer kMostQuads = 30'000;
 inline constexpr theory::Integer kLongestSide = 60;
 
-// One line that says why there is no explorer for this region, or "". The reasons are impossible sides, no configuration
-// that holds the pair, or more than the bounds above.
-std::string explorer_problem(theory::PairType type, const theory::IntegerVector& sides);
+// One line that says why there is no explorer for this region, or "". The reasons are no configuration that
+// holds the pair, or more than the bounds above.
+std::string explorer_problem(const theory::RegionShape& shape);
 
 // A claim of the paper, judged for one region by comparing what theory/ predicts with what moves found.
 struct RegionClaim {
@@ -57,10 +57,10 @@ struct RegionClaim {
 };
 // The claims about the region, in the order of the page. Precondition: `found` comes from explore_all() with the merged
 // configuration. O(moves + nodes * mesh).
-std::vector<RegionClaim> region_claims(const enumerate::Exploration& found, const theory::IntegerVector& sides);
+std::vector<RegionClaim> region_claims(const enumerate::Exploration& found);
 
 // The data of the page. Preconditions: explorer_problem() is "", and `found` is as above.
-nlohmann::ordered_json explorer_data(const enumerate::Exploration& found, const theory::IntegerVector& sides);
+nlohmann::ordered_json explorer_data(const enumerate::Exploration& found);
 
 // The page with these data.
 std::string explorer_page(const nlohmann::ordered_json& data);

@@ -65,7 +65,7 @@ void paint_stars(Canvas& canvas, const MeshPicture& picture, const GridNode& nod
 
 void paint_node(Canvas& canvas, const GridFigure& figure, const GridNode& node, const Sizes& size) {
   const Grid& grid = figure.grids[static_cast<std::size_t>(node.grid)];
-  const MeshPicture picture = picture_of(node, grid.type, size);
+  const MeshPicture picture = picture_of(node, grid.shape.type(), size);
   const bool copy = node.same_as >= 0;
   picture.background(canvas, rgb(0xffffff));
   if (!copy) {
@@ -74,11 +74,11 @@ void paint_node(Canvas& canvas, const GridFigure& figure, const GridNode& node, 
   }
   picture.edges(canvas, 0.45, copy ? ink::kFaint : ink::kLine);
   picture.irregular(canvas, 4.6);
-  if (!grid.type.symmetric()) paint_stars(canvas, picture, node);
+  if (!grid.shape.type().symmetric()) paint_stars(canvas, picture, node);
   std::string label = node.label;
   if (copy) label += " = " + figure.nodes[static_cast<std::size_t>(node.same_as)].label;
   const double width = 0.56 * kText * static_cast<double>(label.size());
-  const double gap = grid.type.symmetric() ? kText : kText + 4;  // below a star
+  const double gap = grid.shape.type().symmetric() ? kText : kText + 4;  // below a star
   const Point below((picture.low().x() + picture.high().x()) / 2, picture.low().y() - gap);
   canvas.polygon({below + Point(-width / 2, -2.5), below + Point(width / 2, -2.5), below + Point(width / 2, kText - 2),
                   below + Point(-width / 2, kText - 2)},
@@ -90,7 +90,7 @@ void paint_node(Canvas& canvas, const GridFigure& figure, const GridNode& node, 
 
 Paint paint_grid(const GridFigure& figure) {
   return [figure](Canvas& canvas) {
-    const Sizes size = sizes(figure.grids.at(0).type);
+    const Sizes size = sizes(figure.grids.at(0).shape.type());
     for (const GridEdge& edge : figure.edges) {
       const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
       const GridNode& to = figure.nodes[static_cast<std::size_t>(edge.to)];
@@ -104,7 +104,7 @@ Paint paint_grid(const GridFigure& figure) {
 Paint paint_dual(const GridFigure& figure) {
   return [figure](Canvas& canvas) {
     constexpr double kLevel = 54;  // points between levels
-    const int quadrants = figure.grids.at(0).type.rotation_count();
+    const int quadrants = figure.grids.at(0).shape.type().rotation_count();
     const auto angle = [quadrants](const theory::Configuration& c) {
       const auto level = static_cast<double>(c.d1() + c.d2());
       return 2 * std::numbers::pi * (0.25 - (c.p - static_cast<double>(c.d2()) / level) / quadrants);

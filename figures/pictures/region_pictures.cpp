@@ -171,7 +171,7 @@ Paint paint_lone_v8(int length) {
     const theory::PairType type{6, 6};  // merged: a v8
     constexpr double kSpacing = 130, kSize = 106;
     for (const theory::Configuration& c :
-         theory::merged_configurations(type, theory::IntegerVector::Constant(8, length))) {
+         theory::merged_configurations({type, theory::IntegerVector::Constant(8, length)})) {
       const theory::Integer i = c.parameters.e(0), j = c.parameters.e(1);
       Panel panel{enumerate::glue_region(type, c), {"e_1 = " + std::to_string(i) + ", e_2 = " + std::to_string(j)}};
       const VertexId v = mesh::irregular_vertices(panel.region.mesh).at(0);

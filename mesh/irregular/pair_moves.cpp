@@ -7,6 +7,7 @@
 
 #include "mesh/irregular/direct_transport.hpp"
 #include "mesh/irregular/edit_refusal.hpp"
+#include "mesh/topology/separatrix.hpp"
 
 namespace requad::mesh {
 

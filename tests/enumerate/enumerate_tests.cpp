@@ -17,19 +17,19 @@ using requad::tests::sides;
 
 TEST_CASE("three generators agree rel boundary", "[generators]") {
   for (const tests::CensusEntry& entry : tests::census(18, true)) {
-    INFO(entry.type.name() << " " << theory::label(entry.type, entry.configuration));
+    INFO(entry.shape.type().name() << " " << theory::label(entry.shape.type(), entry.configuration));
     REQUIRE(mesh::validate(entry.region.mesh).empty());
     REQUIRE(mesh::region_problem(entry.region).empty());
     const auto lengths = mesh::side_lengths(entry.region);
-    REQUIRE(std::equal(lengths.begin(), lengths.end(), entry.sides.begin(), entry.sides.end()));
+    REQUIRE(std::equal(lengths.begin(), lengths.end(), entry.shape.sides().begin(), entry.shape.sides().end()));
     REQUIRE(entry.region.mesh.face_count() ==
-            theory::PairSystem(entry.type).face_count(entry.configuration.parameters));
+            theory::PairSystem(entry.shape.type()).face_count(entry.configuration.parameters));
     const std::string expected = mesh::signature(entry.region);
-    REQUIRE(mesh::signature(grow_region(entry.type, entry.configuration)) == expected);
-    const auto start = simplest_configuration(entry.type, entry.sides);
-    REQUIRE(mesh::signature(realise(entry.type, entry.sides, start, entry.configuration).region) == expected);
+    REQUIRE(mesh::signature(grow_region(entry.shape.type(), entry.configuration)) == expected);
+    const auto start = simplest_configuration(entry.shape);
+    REQUIRE(mesh::signature(realise(entry.shape, start, entry.configuration).region) == expected);
     // And the labels read off the mesh are the ones it was made from.
-    const Reading reading = read(entry.region, entry.type);
+    const Reading reading = read(entry.region, entry.shape.type());
     REQUIRE(reading.problem.empty());
     REQUIRE(reading.configuration == entry.configuration);
   }
@@ -38,9 +38,9 @@ TEST_CASE("three generators agree rel boundary", "[generators]") {
 TEST_CASE("both labellings of a segment generate the same mesh", "[generators]") {
   for (const tests::CensusEntry& entry : tests::census(18, false)) {
     if (!entry.configuration.degenerate()) continue;
-    const auto other = theory::other_labelling(entry.type, entry.configuration);
-    REQUIRE(mesh::signature(glue_region(entry.type, other)) == mesh::signature(entry.region));
-    REQUIRE(mesh::signature(grow_region(entry.type, other)) == mesh::signature(entry.region));
+    const auto other = theory::other_labelling(entry.shape.type(), entry.configuration);
+    REQUIRE(mesh::signature(glue_region(entry.shape.type(), other)) == mesh::signature(entry.region));
+    REQUIRE(mesh::signature(grow_region(entry.shape.type(), other)) == mesh::signature(entry.region));
   }
 }
 
@@ -56,13 +56,13 @@ TEST_CASE("bad parameters are refused", "[generators]") {
 
 TEST_CASE("exploration finds tau(9) = 16 configurations from any of them", "[exploration]") {
   // Theorem 7.2: N^2 with N = 4.
-  const auto all = theory::parameter_set(theory::kDigon, sides({9, 9}));
+  const auto all = theory::parameter_set({theory::kDigon, sides({9, 9})});
   for (const auto& c : all) {
-    const Exploration found = explore(theory::kDigon, {glue_region(theory::kDigon, c)});
+    const Exploration found = explore({theory::kDigon, sides({9, 9})}, {glue_region(theory::kDigon, c)});
     CHECK(found.nodes.size() == 16);
   }
   const auto json =
-      graph_json(explore_all(theory::kDigon, sides({9, 9}), theory::Apex::without), theory::Apex::without);
+      graph_json(explore_all({theory::kDigon, sides({9, 9})}, theory::Apex::without), theory::Apex::without);
   CHECK(json["nodes"].size() == 16);
   CHECK(json["edges"].size() == 28);  // levels 1, 3, 5, 7 of as many edges, 2 + 4 + 6 between them
   CHECK(json["components"] == 1);
@@ -72,15 +72,15 @@ TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[explo
   // An independent judge of the label-wise comparison in requad-verify; hexagons have no parallel edges and no loops.
   for (const auto length : {3, 4, 5, 6}) {
     const auto s = theory::IntegerVector::Constant(6, length).eval();
-    const auto found = found_graph(explore_all(theory::kHexagon, s, theory::Apex::with), theory::Apex::with);
+    const auto found = found_graph(explore_all({theory::kHexagon, s}, theory::Apex::with), theory::Apex::with);
     const auto predicted =
-        theory::configuration_graph(theory::configuration_map(theory::kHexagon, s, theory::Apex::with));
+        theory::configuration_graph(theory::configuration_map({theory::kHexagon, s}, theory::Apex::with));
     CHECK(boost::isomorphism(found, predicted));
   }
 }
 
 TEST_CASE("graph output in three formats", "[exploration]") {
-  const Exploration found = explore_all(theory::kDigon, sides({6, 6}), theory::Apex::with);
+  const Exploration found = explore_all({theory::kDigon, sides({6, 6})}, theory::Apex::with);
   const auto with = graph_json(found, theory::Apex::with);
   const auto without = graph_json(found, theory::Apex::without);
   CHECK(with["nodes"].size() == 7);
@@ -95,7 +95,7 @@ TEST_CASE("graph output in three formats", "[exploration]") {
   CHECK(graph_graphml(found, theory::Apex::without).find("<graphml") != std::string::npos);
   // Where there is no configuration the graph is empty, not an error.
   const auto none =
-      graph_json(explore_all(theory::kQuad, sides({5, 4, 5, 4}), theory::Apex::without), theory::Apex::without);
+      graph_json(explore_all({theory::kQuad, sides({5, 4, 5, 4})}, theory::Apex::without), theory::Apex::without);
   CHECK(none["nodes"].empty());
   CHECK(none["components"] == 0);
 }
@@ -103,11 +103,11 @@ TEST_CASE("graph output in three formats", "[exploration]") {
 TEST_CASE("paths are shortest", "[exploration]") {
   // From (1,1) to (5,1) in a digon of side 8: two levels up and back to the same difference need four steps.
   const auto s = sides({8, 8});
-  const auto all = theory::parameter_set(theory::kDigon, s);
+  const auto all = theory::parameter_set({theory::kDigon, s});
   const auto at = [&](theory::Integer d1, theory::Integer d2) {
     return *std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.d1() == d1 && c.d2() == d2; });
   };
-  const Realisation made = realise(theory::kDigon, s, at(1, 1), at(5, 1));
+  const Realisation made = realise({theory::kDigon, s}, at(1, 1), at(5, 1));
   CHECK(made.path.size() == 5);
   CHECK(made.moves.size() == 4);
   CHECK(mesh::signature(made.region) == mesh::signature(glue_region(theory::kDigon, at(5, 1))));

@@ -1,8 +1,8 @@
 // Searches that are stopped and gone on with: whenever and however often that is, they find what one run finds.
 #include "enumerate/search/search.hpp"
 #include "enumerate/search/spheres.hpp"
-#include "mesh/program/journal_file.hpp"
 #include "mesh/program/errors.hpp"
+#include "mesh/program/journal_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/sanitizers.hpp"

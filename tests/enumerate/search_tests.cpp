@@ -83,7 +83,7 @@ TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
         sides(0) = first, sides(2) = second;
         if (sides.sum() % 2 != 0) sides(1) = 4;
         REQUIRE(count({sides.begin(), sides.end()}, {type.l1, type.l2}) ==
-                static_cast<std::int64_t>(theory::parameter_set(type, sides).size()));
+                static_cast<std::int64_t>(theory::parameter_set({type, sides}).size()));
         ++regions;
       }
     }

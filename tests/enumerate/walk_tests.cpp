@@ -44,19 +44,18 @@ theory::Place place_of(theory::PairType type, const theory::Configuration& c) {
 
 TEST_CASE("the table of configurations is the map of configurations", "[walk]") {
   for (const tests::CensusEntry& entry : tests::census(18, false)) {
-    if (!(entry.configuration == theory::parameter_set(entry.type, entry.sides).front()))
-      continue;  // once for a region
-    const theory::ConfigurationMap map = theory::configuration_map(entry.type, entry.sides, theory::Apex::with);
-    const theory::ConfigurationTable table(entry.type, entry.sides);
-    INFO(entry.type.name() << " " << entry.sides.transpose());
+    if (!(entry.configuration == theory::parameter_set(entry.shape).front())) continue;  // once for a region
+    const theory::ConfigurationMap map = theory::configuration_map(entry.shape, theory::Apex::with);
+    const theory::ConfigurationTable table(entry.shape);
+    INFO(entry.shape.type().name() << " " << entry.shape.sides().transpose());
     REQUIRE(table.size() == static_cast<int>(map.nodes.size()));
     std::int64_t ends = 0;
     for (std::size_t i = 0; i < map.nodes.size(); ++i) {
       const theory::MapNode& node = map.nodes[i];
-      const theory::Place place = place_of(entry.type, node.configuration);
+      const theory::Place place = place_of(entry.shape.type(), node.configuration);
       REQUIRE(table.find(place) == static_cast<int>(i));
       REQUIRE(table.slot_count(place) == static_cast<int>(node.moves.size()));
-      REQUIRE(table.most_faces() >= theory::PairSystem(entry.type).face_count(node.configuration.parameters));
+      REQUIRE(table.most_faces() >= theory::PairSystem(entry.shape.type()).face_count(node.configuration.parameters));
       for (std::size_t slot = 0; slot < node.moves.size(); ++slot) {
         const auto move = table.move(place, static_cast<int>(slot));
         REQUIRE(move.target == node.moves[slot].target);
@@ -64,13 +63,14 @@ TEST_CASE("the table of configurations is the map of configurations", "[walk]") 
         if (move.target < 0) continue;
         ++ends;
         REQUIRE(move.back_slot == node.moves[slot].slot);
-        REQUIRE(move.to == place_of(entry.type, map.nodes[static_cast<std::size_t>(move.target)].configuration));
+        REQUIRE(move.to ==
+                place_of(entry.shape.type(), map.nodes[static_cast<std::size_t>(move.target)].configuration));
       }
     }
     REQUIRE(table.count_edges() == ends / 2);
     REQUIRE(table.find({1, {-1, 1}}) == -1);
     REQUIRE(table.find({1, {1000, 0}}) == -1);
-    REQUIRE(table.find({entry.type.rotation_count() + 1, {1, 0}}) == -1);
+    REQUIRE(table.find({entry.shape.type().rotation_count() + 1, {1, 0}}) == -1);
   }
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
   std::mt19937 random(7);
   int located = 0, disturbed = 0;
   for (const tests::CensusEntry& entry : tests::census(16, false)) {
-    const enumerate::Reading reading = enumerate::read(entry.region, entry.type);
+    const enumerate::Reading reading = enumerate::read(entry.region, entry.shape.type());
     const auto positions = mesh::boundary_positions(entry.region);
     for (const enumerate::LabelledFrame& f : reading.frames) {
       // In frame order, as Law 5 has it.
@@ -100,20 +100,21 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
       }
       // labelling_of() gives v1's labels first unless it has swapped equal vertices to bring p into range.
       const theory::SeparatrixVector predicted =
-          theory::separatrix_vector(entry.type, entry.sides, theory::to_labelling(f.labelling));
+          theory::separatrix_vector(entry.shape, theory::to_labelling(f.labelling));
       const auto starts = [](const auto& vector, const auto& read) {
         return std::equal(read.begin(), read.end(), vector.begin());
       };
       const bool as_named = starts(predicted.at_v1, at_v1) && starts(predicted.at_v2, at_v2);
-      const bool swapped = entry.type.symmetric() && starts(predicted.at_v1, at_v2) && starts(predicted.at_v2, at_v1);
+      const bool swapped =
+          entry.shape.type().symmetric() && starts(predicted.at_v1, at_v2) && starts(predicted.at_v2, at_v1);
       REQUIRE((as_named || swapped));
 
       // From any separatrix on.
       std::rotate(at_v1.begin(), at_v1.begin() + static_cast<std::ptrdiff_t>(random() % at_v1.size()), at_v1.end());
       std::rotate(at_v2.begin(), at_v2.begin() + static_cast<std::ptrdiff_t>(random() % at_v2.size()), at_v2.end());
-      const auto found = theory::locate(entry.type, entry.sides, at_v1, at_v2);
+      const auto found = theory::locate(entry.shape, at_v1, at_v2);
       REQUIRE(found.has_value());
-      REQUIRE(theory::to_configuration(entry.type, found->labelling) == entry.configuration);
+      REQUIRE(theory::to_configuration(entry.shape.type(), found->labelling) == entry.configuration);
       ++located;
 
       // A label that is off by one, a side or a length.
@@ -121,9 +122,9 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
         auto wrong = at_v1;
         theory::Crossing& crossing = wrong[random() % wrong.size()];
         (k == 0 ? crossing.distance : crossing.length) += 1;
-        if (k == 2) crossing.side = (crossing.side + 1) % entry.type.side_count(), crossing.length -= 1;
+        if (k == 2) crossing.side = (crossing.side + 1) % entry.shape.type().side_count(), crossing.length -= 1;
         if (crossing.side < 0 && k == 0) continue;
-        REQUIRE_FALSE(theory::locate(entry.type, entry.sides, wrong, at_v2).has_value());
+        REQUIRE_FALSE(theory::locate(entry.shape, wrong, at_v2).has_value());
         ++disturbed;
       }
     }
@@ -182,20 +183,20 @@ TEST_CASE("the mover makes the moves that move_pair makes", "[walk]") {
 TEST_CASE("the walk visits each configuration once and each edge both ways", "[walk]") {
   for (std::int64_t length = 3; length <= 14; ++length) {
     INFO("side " << length);
-    const WalkResult digon = enumerate::walk(theory::kDigon, regular(theory::kDigon, length));
+    const WalkResult digon = enumerate::walk({theory::kDigon, regular(theory::kDigon, length)});
     CHECK(digon.problem.empty());
     CHECK(digon.configurations == tau(length));
     CHECK(digon.merged == (length % 2 == 0 ? 1 : 0));
     CHECK(digon.edges == grid_edges(length));
     CHECK(digon.moves == 2 * digon.edges);
     if (length > 9) continue;
-    const WalkResult hexagon = enumerate::walk(theory::kHexagon, regular(theory::kHexagon, length));
+    const WalkResult hexagon = enumerate::walk({theory::kHexagon, regular(theory::kHexagon, length)});
     CHECK(hexagon.problem.empty());
     CHECK(hexagon.configurations == 3 * tau(length));
     CHECK(hexagon.edges == 3 * grid_edges(length));
   }
   // Theorem 7.4: E1 = d1+e2+e4, E2 = e1+e3, E3 = d2+e2+e4, E4 = d1+d2+e1+e3 with d1 = 2, d2 = 1: K = (E2-1)(E1-d1-1).
-  const WalkResult quad = enumerate::walk(theory::kQuad, sides({8, 7, 7, 10}));
+  const WalkResult quad = enumerate::walk({theory::kQuad, sides({8, 7, 7, 10})});
   CHECK(quad.problem.empty());
   CHECK(quad.configurations == 6 * 5);
   CHECK(quad.edges == 5 * 5 + 6 * 4);  // of the grid
@@ -204,10 +205,10 @@ TEST_CASE("the walk visits each configuration once and each edge both ways", "[w
 TEST_CASE("the walk finds what exploration finds in regions of all kinds", "[walk]") {
   int regions = 0;
   for (const tests::CensusEntry& entry : tests::census(16, false)) {
-    if (!(entry.configuration == theory::parameter_set(entry.type, entry.sides).front())) continue;
-    INFO(entry.type.name() << " " << entry.sides.transpose());
-    const auto found = enumerate::explore(entry.type, {entry.region});
-    const WalkResult walked = enumerate::walk(theory::ConfigurationTable(entry.type, entry.sides), entry.region);
+    if (!(entry.configuration == theory::parameter_set(entry.shape).front())) continue;
+    INFO(entry.shape.type().name() << " " << entry.shape.sides().transpose());
+    const auto found = enumerate::explore(entry.shape, {entry.region});
+    const WalkResult walked = enumerate::walk(theory::ConfigurationTable(entry.shape), entry.region);
     CHECK(walked.problem.empty());
     CHECK(walked.configurations + walked.merged == static_cast<std::int64_t>(found.nodes.size()));
     const auto made = std::count_if(found.moves.begin(), found.moves.end(), [](const auto& m) { return m.to >= 0; });
@@ -221,12 +222,12 @@ TEST_CASE("the walk finds what exploration finds in regions of all kinds", "[wal
 TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   const auto digon = [](theory::Integer length) { return regular(theory::kDigon, length); };
   const auto start = [&](theory::Integer length) {
-    return enumerate::glue_region(theory::kDigon, theory::parameter_set(theory::kDigon, digon(length)).front());
+    return enumerate::glue_region(theory::kDigon, theory::parameter_set({theory::kDigon, digon(length)}).front());
   };
-  REQUIRE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), start(8)).complete());
+  REQUIRE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), start(8)).complete());
 
   // Another region than the one that theory speaks of.
-  const WalkResult other = enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), start(10));
+  const WalkResult other = enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), start(10));
   CHECK(other.problem == "after the region to start from the separatrices are those of no configuration");
   CHECK(other.mesh.has_value());
   CHECK_FALSE(other.complete());
@@ -234,23 +235,24 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   // The root one edge on: all labels are off by one.
   mesh::Region turned = start(8);
   turned.root = turned.mesh.next_on_boundary(turned.root);
-  CHECK_FALSE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), turned).problem.empty());
+  CHECK_FALSE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), turned).problem.empty());
 
   // The other end of a hexagon's sides: a rotation that is no symmetry of the pair leaves the region what it is.
   mesh::Region rotated = enumerate::glue_region(theory::kHexagon, {{1, 1, theory::to_vector({1, 2, 2, 1, 2, 2})}, 1});
   const auto lengths = mesh::side_lengths(rotated);
-  const theory::ConfigurationTable table(theory::kHexagon, theory::to_vector({lengths.begin(), lengths.end()}));
+  const theory::ConfigurationTable table({theory::kHexagon, theory::to_vector({lengths.begin(), lengths.end()})});
   CHECK(enumerate::walk(table, rotated).complete());
   for (int i = 0; i < lengths[0]; ++i) rotated.root = rotated.mesh.next_on_boundary(rotated.root);
   CHECK_FALSE(enumerate::walk(table, rotated).complete());
 
   // No pair at all, and four irregular vertices.
-  CHECK_FALSE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), tests::grid(4, 4)).problem.empty());
+  CHECK_FALSE(
+      enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), tests::grid(4, 4)).problem.empty());
   mesh::Region disturbed = start(8);
   for (const mesh::HalfEdgeId h : disturbed.mesh.half_edges()) {
     if (mesh::flip(disturbed.mesh, h, mesh::Rotation::clockwise) == mesh::Refusal::none) break;
   }
-  CHECK_FALSE(enumerate::walk(theory::ConfigurationTable(theory::kDigon, digon(8)), disturbed).problem.empty());
+  CHECK_FALSE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), disturbed).problem.empty());
 }
 
 // Costs, by counting. A slide takes max(d1, d2) + O(1) operations, open and close d1 + d2 + O(1); an identification walks
@@ -266,7 +268,7 @@ TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[
     INFO(c.type.name());
     std::vector<std::int64_t> counts;
     counts.reserve(1000);
-    const WalkResult w = enumerate::walk(c.type, c.e, [&](std::int64_t) { counts.push_back(tests::allocations()); });
+    const WalkResult w = enumerate::walk({c.type, c.e}, [&](std::int64_t) { counts.push_back(tests::allocations()); });
     REQUIRE(w.problem.empty());
     CHECK(counts.size() >= 3);
     CHECK(counts.front() == counts.back());

@@ -28,10 +28,7 @@ using theory::PairType;
 
 namespace {
 
-struct Example {
-  PairType type;
-  IntegerVector sides;
-};
+using Example = theory::RegionShape;
 
 std::vector<Example> examples() {
   return {{theory::kDigon, sides({6, 6})},
@@ -45,7 +42,7 @@ std::vector<Example> examples() {
           {theory::kQuad, sides({6, 5, 4, 7})}};
 }
 
-enumerate::Exploration explored(const Example& e) { return enumerate::explore_all(e.type, e.sides, Apex::with); }
+enumerate::Exploration explored(const Example& e) { return enumerate::explore_all(e, Apex::with); }
 
 // A mesh from the page's face list, null where an id is free, with the root edge v -> w.
 mesh::Region rebuilt(const json& faces, const json& root) {
@@ -78,25 +75,26 @@ json patched(json faces, const json& operations) {
 // What the theory says an arrow key does at a configuration: the label it leads to, "" if there is no room. The order
 // of a predicted node's moves is that of configuration_graph.hpp, not of the mesh.
 std::map<std::string, std::map<std::string, std::string>> predicted_keys(const Example& e) {
-  const theory::ConfigurationMap map = theory::configuration_map(e.type, e.sides, Apex::with);
+  const theory::ConfigurationMap map = theory::configuration_map(e, Apex::with);
   std::map<std::string, std::map<std::string, std::string>> keys;
   for (const theory::MapNode& node : map.nodes) {
-    auto& here = keys[theory::label(e.type, node.configuration)];
+    auto& here = keys[theory::label(e.type(), node.configuration)];
     for (std::size_t i = 0; i < node.moves.size(); ++i) {
       std::string key;
       const Configuration& labelling = node.labellings[i];
-      if (!e.type.symmetric()) {
+      if (!e.type().symmetric()) {
         key = std::array{"right", "up", "left", "down"}[static_cast<std::size_t>(node.steps[i])];
       } else if (node.configuration.merged()) {
-        key = e.type == theory::kDigon ? "up"
-                                       : std::array{"left", "right", "down"}[static_cast<std::size_t>(labelling.p - 1)];
+        key = e.type() == theory::kDigon
+                  ? "up"
+                  : std::array{"left", "right", "down"}[static_cast<std::size_t>(labelling.p - 1)];
       } else {
         key = std::array{"up", "left", "down", "right"}[static_cast<std::size_t>(node.steps[i])];
         if (key == "up" && !(labelling == node.configuration)) key = "down";  // a segment opens on both sides
       }
       const int target = node.moves[i].target;
       REQUIRE(here.count(key) == 0);
-      here[key] = target < 0 ? "" : theory::label(e.type, map.nodes[static_cast<std::size_t>(target)].configuration);
+      here[key] = target < 0 ? "" : theory::label(e.type(), map.nodes[static_cast<std::size_t>(target)].configuration);
     }
   }
   return keys;
@@ -128,7 +126,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 TEST_CASE("the explorer's meshes and moves are those of the exploration", "[explorer]") {
   for (const Example& e : examples()) {
     const enumerate::Exploration found = explored(e);
-    const json data = explorer_data(found, e.sides);
+    const json data = explorer_data(found);
     CAPTURE(data["pair"], data["sides"]);
     const auto keys = predicted_keys(e);
     REQUIRE(data["nodes"].size() == keys.size());
@@ -141,20 +139,19 @@ TEST_CASE("the explorer's meshes and moves are those of the exploration", "[expl
       REQUIRE(keys.count(node["label"]) == 1);
       const mesh::Region region = rebuilt(node["faces"], node["root"]);
       // Glued from the parameters, not moved.
-      const auto all = e.type.symmetric() && node["d1"] == 0 && node["d2"] == 0
-                           ? theory::merged_configurations(e.type, e.sides)
-                           : theory::parameter_set(e.type, e.sides);
+      const auto all = e.type().symmetric() && node["d1"] == 0 && node["d2"] == 0 ? theory::merged_configurations(e)
+                                                                                  : theory::parameter_set(e);
       const auto c = std::find_if(all.begin(), all.end(),
-                                  [&](const Configuration& x) { return theory::label(e.type, x) == node["label"]; });
+                                  [&](const Configuration& x) { return theory::label(e.type(), x) == node["label"]; });
       REQUIRE(c != all.end());
-      CHECK(mesh::signature(region) == mesh::signature(enumerate::glue_region(e.type, *c)));
+      CHECK(mesh::signature(region) == mesh::signature(enumerate::glue_region(e.type(), *c)));
       CHECK(mesh::signature(region) == node["signature"]);
       CHECK(node["quads"] == region.mesh.face_count());
       CHECK(node["alpha"].size() == static_cast<std::size_t>(c->d1() * c->d2()));
       const auto around = static_cast<std::size_t>(c->d1() + c->d2());
       CHECK(node["rim"].size() == (c->merged() ? 1 : c->degenerate() ? around + 1 : 2 * around));
       // e_i, by the side that the separatrix meets: label i lies on side i + p - 1.
-      const auto k = static_cast<std::size_t>(e.type.side_count());
+      const auto k = static_cast<std::size_t>(e.type().side_count());
       for (std::size_t i = 0; i < k; ++i) {
         const auto& path = node["outward"][(i + static_cast<std::size_t>(c->p) - 1) % k];
         if (!c->degenerate())
@@ -187,7 +184,7 @@ TEST_CASE("the explorer's meshes and moves are those of the exploration", "[expl
 TEST_CASE("the arrows point where the pair goes", "[explorer]") {
   int pairs = 0;
   for (const Example& e : examples()) {
-    const json data = explorer_data(explored(e), e.sides);
+    const json data = explorer_data(explored(e));
     for (const json& move : data["moves"]) {
       const json& from = data["nodes"][move["from"].get<std::size_t>()];
       const json& to = data["nodes"][move["to"].get<std::size_t>()];
@@ -239,16 +236,16 @@ TEST_CASE("the arrows point where the pair goes", "[explorer]") {
 
 TEST_CASE("the explorer's graph has the places of Figures 10, 11 and 12", "[explorer]") {
   for (const Example& e : examples()) {
-    const json data = explorer_data(explored(e), e.sides);
+    const json data = explorer_data(explored(e));
     for (const json& node : data["nodes"]) {
       CAPTURE(data["sides"], node["label"]);
       int m = 0, n = 0, p = 1;
       const std::string label = node["label"];
       const int read = std::sscanf(label.c_str(), "(%d,%d,%d)", &m, &n, &p);
       REQUIRE(read >= 2);
-      if (e.type == theory::kQuad) {
+      if (e.type() == theory::kQuad) {
         CHECK(node["spots"] == json{{m, n, 0}});
-      } else if (e.type == theory::kDigon) {
+      } else if (e.type() == theory::kDigon) {
         json spots{{m - n, m + n, 0}};
         if (n == 0 && m > 0) spots.push_back({-m, m, 0});  // (0,m)
         CHECK(node["spots"] == spots);
@@ -277,18 +274,18 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
     return ids;
   };
   using Ids = std::multiset<std::string>;
-  for (const Example& e : examples()) CHECK(failing(region_claims(explored(e), e.sides)).empty());
+  for (const Example& e : examples()) CHECK(failing(region_claims(explored(e))).empty());
 
   // tau by Theorems 7.2 and 7.3, K by 7.4, by hand: N = 3, 3 * 2; N = 2, 3 * 2^2; M = 5 - 1, N = 6 - 2 - 1.
   const Example digon{theory::kDigon, sides({6, 6})};
-  const auto claims = region_claims(explored(digon), digon.sides);
+  const auto claims = region_claims(explored(digon));
   CHECK(claim(claims, "T2").predicted == "tau(6) = N (N - 1) = 6 with N = 3");
   CHECK(claim(claims, "T2").found == "6 configurations reached by moves");
   CHECK(claim(claims, "N2").found == "d1 + d2 even, a v2");
   const Example hexagon{theory::kHexagon, sides({5, 5, 5, 5, 5, 5})};
-  CHECK(claim(region_claims(explored(hexagon), hexagon.sides), "T3").predicted == "tau(5) = 3 N^2 = 12 with N = 2");
+  CHECK(claim(region_claims(explored(hexagon)), "T3").predicted == "tau(5) = 3 N^2 = 12 with N = 2");
   const Example quad{theory::kQuad, sides({6, 5, 5, 8})};
-  CHECK(claim(region_claims(explored(quad), quad.sides), "T4").predicted == "K = 4 x 3 = 12");
+  CHECK(claim(region_claims(explored(quad)), "T4").predicted == "K = 4 x 3 = 12");
 
   // A configuration less, with its moves.
   enumerate::Exploration less = explored(digon);
@@ -298,40 +295,43 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
     --move.from;
     --move.to;
   }
-  CHECK(failing(region_claims(less, digon.sides)) == Ids{"T2", "T2", "T11"});
+  CHECK(failing(region_claims(less)) == Ids{"T2", "T2", "T11"});
   // A move that is refused, both ways: the graph lacks an edge.
   enumerate::Exploration refused = explored(digon);
   for (auto& move : refused.moves) {
     if ((move.from == 0 && move.to == 3) || (move.from == 3 && move.to == 0)) move.to = -1;
   }
-  CHECK(failing(region_claims(refused, digon.sides)).count("T2") == 1);
+  CHECK(failing(region_claims(refused)).count("T2") == 1);
   // All moves refused.
   enumerate::Exploration none = explored(digon);
   none.moves.clear();
-  CHECK(failing(region_claims(none, digon.sides)) == Ids{"M1", "T2"});
+  CHECK(failing(region_claims(none)) == Ids{"M1", "T2"});
   // A move that changes nothing, one that can not be undone, one that makes a quad too many.
   enumerate::Exploration lame = explored(digon);
   lame.moves[0].after = lame.moves[0].before;
   lame.moves[1].restored = false;
   ++lame.moves[2].faces_made;
-  CHECK(failing(region_claims(lame, digon.sides)) == Ids{"B3", "P2", "P3"});
+  CHECK(failing(region_claims(lame)) == Ids{"B3", "P2", "P3"});
   // Meshes of another region; and a merged vertex in a region of odd side.
-  CHECK(failing(region_claims(explored(digon), sides({8, 8}))).count("L9") == 1);
+  enumerate::Exploration other = explored(digon);
+  other.shape = {theory::kDigon, sides({8, 8})};
+  CHECK(failing(region_claims(other)).count("L9") == 1);
   enumerate::Exploration odd = explored({theory::kDigon, sides({5, 5})});
   odd.nodes.push_back(explored(digon).nodes.back());
-  CHECK(failing(region_claims(odd, sides({5, 5}))).count("N2") == 1);
+  CHECK(failing(region_claims(odd)).count("N2") == 1);
 }
 
 TEST_CASE("the explorer takes regions of a bounded size", "[explorer]") {
-  CHECK(explorer_problem(theory::kDigon, sides({6, 6})).empty());
-  CHECK(explorer_problem(theory::kDigon, sides({6, 6, 6})) == "a convex region with a 3-3 pair has 2 sides, not 3");
-  CHECK(explorer_problem(theory::kDigon, sides({2, 2})) == "the region has no configuration with a 3-3 pair");
-  CHECK(explorer_problem(theory::kDigon, sides({60, 60})) ==
+  CHECK(explorer_problem({theory::kDigon, sides({6, 6})}).empty());
+  CHECK(theory::RegionShape::problem(theory::kDigon, sides({6, 6, 6})) ==
+        "a convex region with a 3-3 pair has 2 sides, not 3");
+  CHECK(explorer_problem({theory::kDigon, sides({2, 2})}) == "the region has no configuration with a 3-3 pair");
+  CHECK(explorer_problem({theory::kDigon, sides({60, 60})}) ==
         "870 configurations; the explorer, to stay quick, takes at most 150");
-  CHECK(explorer_problem(theory::kDigon, sides({3, 1'000'001})).find("1000001") != std::string::npos);
-  CHECK(explorer_problem(theory::kDigon, sides({3, 61})) ==
+  CHECK(theory::RegionShape::problem(theory::kDigon, sides({3, 1'000'001})).find("1000001") != std::string::npos);
+  CHECK(explorer_problem({theory::kDigon, sides({3, 61})}) ==
         "a side of 61 edges; the explorer, to stay quick, takes at most 60");
-  CHECK(explorer_problem(theory::kQuad, sides({40, 9, 30, 59})).find(" quads in ") != std::string::npos);
+  CHECK(explorer_problem({theory::kQuad, sides({40, 9, 30, 59})}).find(" quads in ") != std::string::npos);
 }
 
 TEST_CASE("requad-figures --explorer writes one file that stands alone", "[explorer][program]") {
@@ -376,7 +376,7 @@ const char* const kAtRest = "explorer.state().moving === false && explorer.state
 std::string write_page(const Example& e) {
   static int number = 0;
   const std::filesystem::path path = scratch() / ("explorer-" + std::to_string(number++) + ".html");
-  spill(path, explorer_page(explorer_data(explored(e), e.sides)));
+  spill(path, explorer_page(explorer_data(explored(e))));
   return path.string();
 }
 
@@ -407,14 +407,14 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
   Browser browser(*program);
   browser.set_reduced_motion(true);  // the results at once
   for (const Example& e : examples()) {
-    const bool large = e.sides.sum() > 36 || (e.sides.size() == 4 && e.sides == sides({6, 5, 6, 9}));
+    const bool large = e.sides().sum() > 36 || (e.sides().size() == 4 && e.sides() == sides({6, 5, 6, 9}));
     if (large) continue;  // enough of each kind without it
     const std::string page = write_page(e);
     std::map<std::string, std::string> signatures;  // glued, not moved
-    for (const auto& c : theory::parameter_set(e.type, e.sides))
-      signatures[theory::label(e.type, c)] = mesh::signature(enumerate::glue_region(e.type, c));
-    for (const auto& c : theory::merged_configurations(e.type, e.sides))
-      signatures[theory::label(e.type, c)] = mesh::signature(enumerate::glue_region(e.type, c));
+    for (const auto& c : theory::parameter_set(e))
+      signatures[theory::label(e.type(), c)] = mesh::signature(enumerate::glue_region(e.type(), c));
+    for (const auto& c : theory::merged_configurations(e))
+      signatures[theory::label(e.type(), c)] = mesh::signature(enumerate::glue_region(e.type(), c));
     const auto keys = predicted_keys(e);
     open_at(browser, page, keys.begin()->first);
     CHECK(browser.evaluate("document.querySelectorAll('#graph .spot:not(.copy)').length") == keys.size());
@@ -422,7 +422,7 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
           browser.evaluate("explorer.data.claims.length"));
     for (const auto& [from, moves] : keys) {
       for (const auto& [key, to] : moves) {
-        CAPTURE(e.type.name(), from, key, to);
+        CAPTURE(e.type().name(), from, key, to);
         browser.evaluate("location.hash = ''; location.hash = '" + from + "'");
         REQUIRE(browser.wait("explorer.state().label === '" + from + "'"));
         browser.press("Arrow" + std::string(1, static_cast<char>(std::toupper(key[0]))) + key.substr(1));
@@ -459,7 +459,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
                                               {quad, "(1,1)", "(2,1)", "(4,3)"}}) {
       open_at(browser, write_page(e), start);
       hurry();
-      CAPTURE(e.type.name());
+      CAPTURE(e.type().name());
       // A neighbour: its move, operation by operation.
       browser.click(spot(next));
       CHECK(browser.wait("document.querySelector('#mesh.moving')"));
@@ -501,7 +501,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
     for (const auto& [e, from, to] :
          {std::tuple{digon, "(4,0)", "(0,0)"}, {hexagon, "(3,0,1)", "(1,2,3)"}, {quad, "(1,3)", "(4,1)"}}) {
       open_at(browser, write_page(e), to);
-      CAPTURE(e.type.name(), from, to);
+      CAPTURE(e.type().name(), from, to);
       set("film-from", from);
       set("film-to", to);
       const json state = browser.evaluate("explorer.state()");
@@ -593,7 +593,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
     for (const Example& e : {digon, hexagon, quad}) {
       const std::string start = predicted_keys(e).begin()->first;
       open_at(browser, write_page(e), start);
-      CAPTURE(e.type.name());
+      CAPTURE(e.type().name());
       CHECK(browser.evaluate("document.documentElement.scrollWidth") <= 390);
       // A thumb needs 44 pixels.
       CHECK(browser.evaluate("[...document.querySelectorAll('button, select')].filter((b) => b.offsetParent && "

@@ -53,7 +53,7 @@ ReadBack read_back(const std::string& dot, const std::string& prefix) {
 
 ReadBack predicted(theory::PairType type, const theory::IntegerVector& sides, theory::Apex apex) {
   ReadBack result;
-  const auto graph = theory::configuration_graph(theory::configuration_map(type, sides, apex));
+  const auto graph = theory::configuration_graph(theory::configuration_map({type, sides}, apex));
   for (const auto v : boost::make_iterator_range(vertices(graph)))
     ++result.nodes[theory::label(type, graph[v].configuration)];
   for (const auto e : boost::make_iterator_range(edges(graph))) {

@@ -40,9 +40,9 @@ std::vector<int> ints(const Options& options, const char* name) {
 
 void try_sides(const Options& options, theory::PairType type) {
   const theory::IntegerVector sides = theory::to_vector(numbers(options, "sides"));
-  if (!fulfils(theory::sides_problem(type, sides))) return;
+  if (!fulfils(theory::RegionShape::problem(type, sides))) return;
   const bool quick = type != theory::kHexagon || sides.maxCoeff() < 100;
-  fuzz::require(!quick || theory::exact_count(type, sides) >= 0, "a negative count");
+  fuzz::require(!quick || theory::exact_count({type, sides}) >= 0, "a negative count");
 }
 
 void try_strips(const Options& options, theory::PairType type) {

@@ -101,8 +101,8 @@ TEST_CASE("drawings of all regular regions up to side 12 (geometry-7)", "[drawin
   for (int length = 2; length <= 12; ++length) {
     for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
       const auto sides = theory::IntegerVector::Constant(type.side_count(), length);
-      std::vector<theory::Configuration> configurations = theory::merged_configurations(type, sides);
-      const auto pairs = theory::parameter_set(type, sides);
+      std::vector<theory::Configuration> configurations = theory::merged_configurations({type, sides});
+      const auto pairs = theory::parameter_set({type, sides});
       configurations.insert(configurations.end(), pairs.begin(), pairs.end());
       for (const theory::Configuration& c : configurations) {
         check_drawing(enumerate::glue_region(type, c), 0.6);

@@ -194,8 +194,7 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
 TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
   const auto irregular_of = [](const QuadMesh& m) { return irregular_vertices(m); };
   for (const auto& [type, merged] : {std::pair{theory::kDigon, 2}, std::pair{theory::kHexagon, 6}}) {
-    for (const theory::Configuration& c :
-         theory::parameter_set(type, theory::IntegerVector::Constant(type.side_count(), 7 + merged % 4))) {
+    for (const theory::Configuration& c : theory::parameter_set(theory::RegionShape::regular(type, 7 + merged % 4))) {
       const Region region = enumerate::glue_region(type, c);
       QuadMesh m = region.mesh;
       Editor editor(m);

@@ -27,7 +27,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
   int made = 0, refused = 0, identities = 0;
   for (const tests::CensusEntry& entry : tests::census(16, true)) {
     const QuadMesh& before = entry.region.mesh;
-    const auto map = theory::configuration_map(entry.type, entry.sides, theory::Apex::with);
+    const auto map = theory::configuration_map(entry.shape, theory::Apex::with);
     const int node = map.find(entry.configuration);
     REQUIRE(node >= 0);
     // Signatures of the neighbours that theory predicts, a multiset.
@@ -37,13 +37,13 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       if (dart.target < 0) {
         ++impossible;
       } else {
-        expected.insert(signature(
-            enumerate::glue_region(entry.type, map.nodes[static_cast<std::size_t>(dart.target)].configuration)));
+        expected.insert(signature(enumerate::glue_region(
+            entry.shape.type(), map.nodes[static_cast<std::size_t>(dart.target)].configuration)));
       }
     }
     int refused_here = 0;
     for (const PairMove& move : moves_of(before)) {
-      INFO(theory::label(entry.type, entry.configuration)
+      INFO(theory::label(entry.shape.type(), entry.configuration)
            << " " << name(move.step) << " on " << signature(entry.region));
       Region after = entry.region;
       const MoveReport report = move_pair(after.mesh, move);

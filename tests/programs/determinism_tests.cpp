@@ -105,7 +105,7 @@ TEST_CASE("no text of the libraries depends on the locale that a program has set
   const auto all = [] {
     const theory::PairType type = theory::kDigon;
     const mesh::Region region =
-        enumerate::glue_region(type, theory::parameter_set(type, theory::to_vector({12, 12})).front());
+        enumerate::glue_region(type, theory::parameter_set({type, theory::to_vector({12, 12})}).front());
     verify::Ranges ranges;
     ranges.digon = {3, 12};
     const verify::Claim& claim =

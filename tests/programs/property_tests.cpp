@@ -285,7 +285,7 @@ TEST_CASE("the generators agree on random parameters", "[properties]") {
     const auto [type, c] = some_configuration();
     const theory::IntegerVector sides = theory::region_sides(type, c);
     const enumerate::Realisation made =
-        enumerate::realise(type, sides, enumerate::simplest_configuration(type, sides), c);
+        enumerate::realise({type, sides}, enumerate::simplest_configuration({type, sides}), c);
     RC_ASSERT(signature(made.region) == signature(enumerate::glue_region(type, c)));
   });
   holds("grown and glued regions", [] {

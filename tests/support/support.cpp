@@ -34,21 +34,22 @@ std::vector<CensusEntry> census(int perimeter, bool with_merged) {
   const auto list = verify::list_cases(ranges, {Family::regular_digon, Family::regular_hexagon, Family::quad,
                                                 Family::other_digon, Family::other_hexagon});
   for (const verify::RegionCase& c : list.cases) {
-    auto configurations = theory::parameter_set(c.type, c.sides);
+    const theory::RegionShape shape(c.type, c.sides);
+    auto configurations = theory::parameter_set(shape);
     if (with_merged) {
-      for (auto& merged : theory::merged_configurations(c.type, c.sides)) configurations.push_back(std::move(merged));
+      for (auto& merged : theory::merged_configurations(shape)) configurations.push_back(std::move(merged));
     }
     for (const auto& configuration : configurations) {
-      entries.push_back({c.type, c.sides, configuration, enumerate::glue_region(c.type, configuration)});
+      entries.push_back({shape, configuration, enumerate::glue_region(c.type, configuration)});
     }
   }
   if (!with_merged) return entries;
   // Regions with room for the merged vertex only: all sides 2.
   for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
-    const auto smallest = theory::IntegerVector::Constant(type.side_count(), 2).eval();
-    if (smallest.sum() > perimeter) continue;
-    for (const auto& merged : theory::merged_configurations(type, smallest)) {
-      entries.push_back({type, smallest, merged, enumerate::glue_region(type, merged)});
+    const auto smallest = theory::RegionShape::regular(type, 2);
+    if (smallest.perimeter() > perimeter) continue;
+    for (const auto& merged : theory::merged_configurations(smallest)) {
+      entries.push_back({smallest, merged, enumerate::glue_region(type, merged)});
     }
   }
   return entries;

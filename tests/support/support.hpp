@@ -18,8 +18,7 @@ theory::IntegerVector sides(std::initializer_list<theory::Integer> values);
 
 // One region with a pair, as the census lists it.
 struct CensusEntry {
-  theory::PairType type;
-  theory::IntegerVector sides;
+  theory::RegionShape shape;
   theory::Configuration configuration;
   mesh::Region region;
 };

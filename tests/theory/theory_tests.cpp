@@ -135,13 +135,12 @@ TEST_CASE("parameter sets: the theorem's set, its parity and its identification"
       }
     }
     std::set<std::pair<Integer, Integer>> found;
-    for (const Configuration& c : parameter_set(kDigon, IntegerVector::Constant(2, length)))
-      found.emplace(c.d1(), c.d2());
+    for (const Configuration& c : parameter_set(RegionShape::regular(kDigon, length))) found.emplace(c.d1(), c.d2());
     CHECK(found == expected);
     CHECK(static_cast<Integer>(found.size()) == tau_digon(length));
 
     std::set<std::tuple<Integer, Integer, int>> hexagon;
-    for (const Configuration& c : parameter_set(kHexagon, IntegerVector::Constant(6, length)))
+    for (const Configuration& c : parameter_set(RegionShape::regular(kHexagon, length)))
       hexagon.emplace(c.d1(), c.d2(), c.p);
     std::set<std::tuple<Integer, Integer, int>> hexagon_expected;
     for (const auto& [m, n] : expected) {
@@ -186,8 +185,8 @@ TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
       if (*std::max_element(s.begin(), s.end()) > longest + 1) continue;
       IntegerVector v(static_cast<Eigen::Index>(s.size()));
       std::copy(s.begin(), s.end(), v.begin());
-      REQUIRE(2 * static_cast<Integer>(parameter_set(type, v).size()) == twice);
-      REQUIRE(2 * exact_count(type, v) == twice);
+      REQUIRE(2 * static_cast<Integer>(parameter_set({type, v}).size()) == twice);
+      REQUIRE(2 * exact_count({type, v}) == twice);
       ++compared;
     }
     CHECK(compared > 10);
@@ -196,14 +195,14 @@ TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
 
 TEST_CASE("3-5 regions: K = M N and the labelling of Equation 3", "[theory]") {
   // d1 = 2, d2 = 1, e = (1,2,3,1): E = (5, 4, 4, 7), M = E2 - 1 = 3, N = E1 - d1 - 1 = 2 by Theorem 7.4.
-  const QuadCount q = quad_count(sides({5, 4, 4, 7}));
+  const QuadCount q = quad_count({kQuad, sides({5, 4, 4, 7})});
   CHECK(q.p == 1);
   CHECK(q.d1 == 2);
   CHECK(q.d2 == 1);
   CHECK(q.m == 3);
   CHECK(q.n == 2);
   std::set<std::pair<Integer, Integer>> points;
-  for (const Configuration& c : parameter_set(kQuad, sides({5, 4, 4, 7}))) {
+  for (const Configuration& c : parameter_set({kQuad, sides({5, 4, 4, 7})})) {
     const GridPoint at = grid_point(kQuad, c);
     points.emplace(at.m, at.n);
     CHECK(c.d1() == 2);
@@ -211,19 +210,19 @@ TEST_CASE("3-5 regions: K = M N and the labelling of Equation 3", "[theory]") {
   }
   CHECK(points == std::set<std::pair<Integer, Integer>>{{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 1}, {3, 2}});
   // The same region from each of its sides: the labelling follows, the count stays.
-  CHECK(quad_count(sides({4, 4, 7, 5})).k() == 6);
-  CHECK(quad_count(sides({4, 4, 7, 5})).p == 4);
+  CHECK(quad_count({kQuad, sides({4, 4, 7, 5})}).k() == 6);
+  CHECK(quad_count({kQuad, sides({4, 4, 7, 5})}).p == 4);
   // A rectangle holds no 3-5 pair.
-  CHECK(exact_count(kQuad, sides({5, 4, 5, 4})) == 0);
-  CHECK(parameter_set(kQuad, sides({5, 4, 5, 4})).empty());
+  CHECK(exact_count({kQuad, sides({5, 4, 5, 4})}) == 0);
+  CHECK(parameter_set({kQuad, sides({5, 4, 5, 4})}).empty());
 }
 
 TEST_CASE("non-regular digons: tau of the shorter side, none at odd difference", "[theory]") {
-  CHECK(exact_count(kDigon, sides({5, 9})) == 4);
-  CHECK(exact_count(kDigon, sides({9, 5})) == 4);
-  CHECK_THROWS_AS(exact_count(kDigon, sides({5, 8})), std::invalid_argument);  // odd boundary
-  CHECK(smallest_regular(kDigon, sides({5, 9})) == 9);
-  CHECK(smallest_regular(kHexagon, sides({4, 4, 4, 4, 4, 4})) == 4);
+  CHECK(exact_count({kDigon, sides({5, 9})}) == 4);
+  CHECK(exact_count({kDigon, sides({9, 5})}) == 4);
+  CHECK_THROWS_AS(exact_count({kDigon, sides({5, 8})}), std::invalid_argument);  // odd boundary
+  CHECK(smallest_regular({kDigon, sides({5, 9})}) == 9);
+  CHECK(smallest_regular({kHexagon, sides({4, 4, 4, 4, 4, 4})}) == 4);
   // Growing (3,3,3,4,2,4)-like regions: checked by trying every L and every strip vector.
   for (const auto& s : {sides({3, 3, 4, 4, 2, 4}), sides({5, 4, 5, 6, 3, 7}), sides({2, 3, 3, 3, 2, 3})}) {
     Integer least = 0;
@@ -231,16 +230,16 @@ TEST_CASE("non-regular digons: tau of the shorter side, none at odd difference",
       // s_{i-1} + s_{i+1} = L - E_i with s >= 0 is the positive system for s + 1.
       if (!solve_circulant(IntegerVector::Constant(6, length + 2) - s).empty()) least = length;
     }
-    CHECK(smallest_regular(kHexagon, s) == least);
+    CHECK(smallest_regular({kHexagon, s}) == least);
   }
 }
 
 TEST_CASE("impossible sides and parameters are named", "[theory]") {
-  CHECK(sides_problem(kDigon, sides({3, 3})).empty());
-  CHECK(sides_problem(kDigon, sides({3, 4})).find("odd") != std::string::npos);
-  CHECK(sides_problem(kDigon, sides({3, 3, 3})).find("2 sides") != std::string::npos);
-  CHECK(sides_problem(kDigon, sides({0, 4})).find("side 0") != std::string::npos);
-  CHECK(sides_problem(kDigon, sides({2, kMaxLength + 2})).find("not in 1..") != std::string::npos);
+  CHECK(RegionShape::problem(kDigon, sides({3, 3})).empty());
+  CHECK(RegionShape::problem(kDigon, sides({3, 4})).find("odd") != std::string::npos);
+  CHECK(RegionShape::problem(kDigon, sides({3, 3, 3})).find("2 sides") != std::string::npos);
+  CHECK(RegionShape::problem(kDigon, sides({0, 4})).find("side 0") != std::string::npos);
+  CHECK(RegionShape::problem(kDigon, sides({2, kMaxLength + 2})).find("not in 1..") != std::string::npos);
   CHECK(parameters_problem(kDigon, parameters(1, 0, {1, 1})).empty());
   CHECK_FALSE(parameters_problem(kDigon, parameters(0, 0, {1, 1})).empty());
   CHECK_FALSE(parameters_problem(kDigon, parameters(-1, 2, {1, 1})).empty());
@@ -267,8 +266,8 @@ TEST_CASE("Law 3: both labellings of a segment give the same region", "[theory]"
 }
 
 TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
-  const auto even = configuration_graph(configuration_map(kDigon, sides({8, 8}), Apex::with));
-  const auto odd = configuration_graph(configuration_map(kDigon, sides({7, 7}), Apex::with));
+  const auto even = configuration_graph(configuration_map({kDigon, sides({8, 8})}, Apex::with));
+  const auto odd = configuration_graph(configuration_map({kDigon, sides({7, 7})}, Apex::with));
   CHECK(edges_between(odd, {1, 0}, {1, 0}) == 1);
   CHECK(edges_between(even, {2, 0}, {1, 1}) == 2);
   CHECK(edges_between(even, {1, 1}, {0, 0}) == 1);
@@ -276,7 +275,7 @@ TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
   for (const auto& [graph, levels, factor] :
        {std::tuple{even, std::vector<Integer>{2, 4, 6}, Integer{1}},
         std::tuple{odd, std::vector<Integer>{1, 3, 5}, Integer{1}},
-        std::tuple{configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 8), Apex::with)),
+        std::tuple{configuration_graph(configuration_map(RegionShape::regular(kHexagon, 8), Apex::with)),
                    std::vector<Integer>{2, 4, 6}, Integer{3}}}) {
     for (const Integer s : levels) {
       Integer within = 0, up = 0, nodes = 0;
@@ -295,21 +294,20 @@ TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
       CHECK(up == (s == levels.back() ? 0 : factor * (s + 1)));
     }
   }
-  CHECK(degree_total(configuration_graph(configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with)),
-                     true) == 3);
+  CHECK(degree_total(configuration_graph(configuration_map(RegionShape::regular(kHexagon, 6), Apex::with)), true) == 3);
   // 3-5: an M x N grid has 2 M N - M - N edges.
-  const auto grid = configuration_graph(configuration_map(kQuad, sides({5, 4, 4, 7}), Apex::with));
+  const auto grid = configuration_graph(configuration_map({kQuad, sides({5, 4, 4, 7})}, Apex::with));
   CHECK(num_vertices(grid) == 6);
   CHECK(num_edges(grid) == 2 * 6 - 3 - 2);
 }
 
 TEST_CASE("moves of the predicted map come in pairs", "[theory]") {
-  for (const auto& map :
-       {configuration_map(kDigon, sides({10, 10}), Apex::with), configuration_map(kDigon, sides({9, 9}), Apex::with),
-        configuration_map(kHexagon, IntegerVector::Constant(6, 7), Apex::with),
-        configuration_map(kHexagon, IntegerVector::Constant(6, 6), Apex::with),
-        configuration_map(kHexagon, sides({5, 4, 5, 6, 3, 7}), Apex::with),
-        configuration_map(kQuad, sides({5, 4, 4, 7}), Apex::with)}) {
+  for (const auto& map : {configuration_map({kDigon, sides({10, 10})}, Apex::with),
+                          configuration_map({kDigon, sides({9, 9})}, Apex::with),
+                          configuration_map(RegionShape::regular(kHexagon, 7), Apex::with),
+                          configuration_map(RegionShape::regular(kHexagon, 6), Apex::with),
+                          configuration_map({kHexagon, sides({5, 4, 5, 6, 3, 7})}, Apex::with),
+                          configuration_map({kQuad, sides({5, 4, 4, 7})}, Apex::with)}) {
     for (std::size_t i = 0; i < map.nodes.size(); ++i) {
       for (std::size_t slot = 0; slot < map.nodes[i].moves.size(); ++slot) {
         const Dart& dart = map.nodes[i].moves[slot];
@@ -326,8 +324,8 @@ TEST_CASE("the dual of a grid is the next smaller grid", "[theory]") {
   // Captions of Figures 10 and 11; here by counting, in requad-verify's F1 by names.
   for (const PairType type : {kDigon, kHexagon}) {
     for (Integer length = 3; length <= 12; ++length) {
-      const auto map = configuration_map(type, IntegerVector::Constant(type.side_count(), length), Apex::with);
-      const auto smaller = configuration_map(type, IntegerVector::Constant(type.side_count(), length - 1), Apex::with);
+      const auto map = configuration_map(RegionShape::regular(type, length), Apex::with);
+      const auto smaller = configuration_map(RegionShape::regular(type, length - 1), Apex::with);
       const DualGrid dual = dual_grid(map);
       CHECK(dual.faces.size() == smaller.nodes.size());
       CHECK(dual.edges.size() == num_edges(configuration_graph(smaller)));

@@ -110,8 +110,7 @@ void require_parameter_set(Argument& argue, const SideLaw& law, const Polytope& 
                            const std::vector<Integer>& samples) {
   bool same = true;
   for (const Integer sample : samples) {
-    const IntegerVector sides = IntegerVector::Constant(law.type.side_count(), sample);
-    const auto listed = static_cast<Integer>(parameter_set(law.type, sides).size());
+    const auto listed = static_cast<Integer>(parameter_set(RegionShape::regular(law.type, sample)).size());
     same = same && listed == law.type.rotation_count() * count_lattice_points(polygon, sample);
   }
   argue.require(same, "At these L, parameter_set(), with which the instances are compared, has these sizes.");

@@ -241,12 +241,12 @@ Judgement judge_theorem(const Study& s) {
     verdict.require(expected == predicted, at_region(s, "tau is " + std::to_string(expected) +
                                                             ", the parameter set has " + std::to_string(predicted)));
   } else if (!is_quad(s)) {
-    const theory::Integer bound = tau(s, theory::smallest_regular(s.region.type, s.region.sides));
+    const theory::Integer bound = tau(s, theory::smallest_regular({s.region.type, s.region.sides}));
     j.row["bound"] = bound;
     verdict.require(predicted <= bound, at_region(s, std::to_string(predicted) + " configurations exceed the bound " +
                                                          std::to_string(bound)));
   } else {
-    const theory::QuadCount quad = theory::quad_count(s.region.sides);
+    const theory::QuadCount quad = theory::quad_count({s.region.type, s.region.sides});
     j.row["M"] = quad.m;
     j.row["N"] = quad.n;
   }
@@ -283,7 +283,7 @@ Judgement judge_connected(const Study& s) {
 
 Judgement judge_realisation(const Study& s) {
   if (s.found.nodes.empty()) return not_applicable();
-  const Configuration start = enumerate::simplest_configuration(s.region.type, s.region.sides);
+  const Configuration start = enumerate::simplest_configuration({s.region.type, s.region.sides});
   // Distances by moves as found, from the start.
   std::vector<std::vector<int>> next(s.found.nodes.size());
   for (const FoundMove& move : s.found.moves) {
@@ -305,7 +305,7 @@ Judgement judge_realisation(const Study& s) {
   }
   return for_each_node(s, [&](const FoundNode& node) -> std::string {
     const enumerate::Realisation made =
-        enumerate::realise(s.region.type, s.region.sides, start, node.reading.configuration);
+        enumerate::realise({s.region.type, s.region.sides}, start, node.reading.configuration);
     if (mesh::signature(made.region) != node.signature)
       return "the path of moves from " + theory::label(s.region.type, start) + " makes another mesh";
     const int shortest = distance[static_cast<std::size_t>(&node - s.found.nodes.data())];
@@ -335,7 +335,8 @@ Judgement judge_dual(const Study& s) {
     return j;
   }
   const theory::IntegerVector smaller_sides = theory::IntegerVector::Constant(s.region.sides.size(), length - 1);
-  const theory::ConfigurationMap smaller = theory::configuration_map(s.region.type, smaller_sides, theory::Apex::with);
+  const theory::ConfigurationMap smaller =
+      theory::configuration_map({s.region.type, smaller_sides}, theory::Apex::with);
   // Name the faces by the nodes of the smaller grid at their centres.
   std::map<std::tuple<theory::Integer, theory::Integer, int>, int> node_at;
   for (std::size_t i = 0; i < smaller.nodes.size(); ++i) {

@@ -119,11 +119,11 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
       s.searched = fillings(region, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
     return s;
   }
-  s.exact_count = theory::exact_count(region.type, region.sides);
-  s.found.type = region.type;
-  if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(region.type, region.sides, progress);
+  const theory::RegionShape shape(region.type, region.sides);
+  s.exact_count = theory::exact_count(shape);
+  if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(shape, progress);
   if (!search && methods.count(Method::moves) == 0) return s;
-  s.map = theory::configuration_map(region.type, region.sides, theory::Apex::with);
+  s.map = theory::configuration_map(shape, theory::Apex::with);
   if (search) {
     s.searched = fillings(region, {region.type.l1, region.type.l2});
     if (region.type.symmetric()) s.searched_merged = fillings(region, {region.type.side_count()});
@@ -132,7 +132,7 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
   const auto start = std::find_if(s.map.nodes.begin(), s.map.nodes.end(),
                                   [](const theory::MapNode& node) { return !node.configuration.merged(); });
   if (methods.count(Method::moves) == 0 || start == s.map.nodes.end()) return s;
-  s.found = enumerate::explore(region.type, {enumerate::glue_region(region.type, start->configuration)});
+  s.found = enumerate::explore(shape, {enumerate::glue_region(region.type, start->configuration)});
   for (const auto& node : s.found.nodes) {
     s.predicted_of.push_back(node.reading.problem.empty() ? s.map.find(node.reading.configuration) : -1);
   }

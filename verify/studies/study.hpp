@@ -39,7 +39,7 @@ struct Study {
   theory::Integer exact_count = 0;
   theory::ConfigurationMap map;  // with apex; only if moves or search are asked for
   // Found by moves from one start, the first predicted configuration, glued.
-  enumerate::Exploration found;
+  enumerate::Exploration found{theory::RegionShape::regular(theory::kDigon, 2), {}, {}};
   std::vector<int> predicted_of;  // per found node: index into map.nodes, -1 if its label is not predicted
   // Found by search: signatures of all fillings with the pair, and with the merged vertex alone; nothing if not asked for.
   std::optional<std::vector<std::string>> searched;
