@@ -228,4 +228,9 @@ Region glue_region(PairType type, const Configuration& c) {
   return Gluing(type, c).build();
 }
 
+// As the merged vertex of a pair with valences k + 1 and 3.
+Region glue_vertex(const theory::IntegerVector& e) {
+  return glue_region({static_cast<int>(e.size()) + 1, 3}, {{0, 0, e}, 1});
+}
+
 }  // namespace requad::enumerate

@@ -45,6 +45,10 @@ mesh::Region grow_region(theory::PairType type, const theory::Configuration& con
 // outward separatrices of a vertex, three round each corner of R_alpha that is no irregular vertex.
 mesh::Region glue_region(theory::PairType type, const theory::Configuration& configuration);
 
+// The region of a single irregular vertex of valence k = e.size() >= 2 with e_i strips towards side i; a regular grid if
+// k = 4. Side i has the length e_{i-1} + e_{i+1}.
+mesh::Region glue_vertex(const theory::IntegerVector& e);
+
 // Both throw std::invalid_argument if parameters_problem() has something to say (d1 = d2 = 0 is allowed here).
 
 }  // namespace requad::enumerate

@@ -86,7 +86,7 @@ class Walker {
     int number = -1;
     Place place;
     PairFrame frame;  // of the labelling that the place stands for, or of the merged vertex
-    PairFrame other;  // of its other labelling (Law 3), if there is one
+    PairFrame other;  // of its other labelling (theory-3), if there is one
   };
 
   void fail(std::string problem) {

@@ -78,7 +78,7 @@ ConfigurationMap configuration_map(const RegionShape& shape, Apex apex) {
 
   for (MapNode& node : map.nodes) {
     if (node.configuration.merged()) {
-      // One move into each quadrant, (0,0,p) -> (1,1,p). Quadrant p + 1 lies clockwise of quadrant p (Law 3).
+      // One move into each quadrant, (0,0,p) -> (1,1,p). Quadrant p + 1 lies clockwise of quadrant p (theory-3).
       for (int p = type.rotation_count(); p >= 1; --p) {
         Configuration labelling = node.configuration;
         labelling.p = p;

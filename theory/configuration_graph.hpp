@@ -1,12 +1,12 @@
-// The predicted configuration graph: nodes are configurations, edges the one-step moves of Theorems 7.2, 7.3 and 7.4.
+// The predicted configuration graph. Its nodes are configurations, its edges the steps of Theorems 7.2, 7.3 and 7.4.
 //
-// The graph is drawn on a surface (a cone over one quadrant for a digon, over three for a hexagon, a rectangle for a 3-5
-// region), so it comes as a map: at each node up to four moves in counter-clockwise order of the grid. A multigraph
-// follows from it, and so do its faces, which the dual grid needs (captions of Figures 10 and 11).
+// The graph is drawn on a surface: a cone over one quadrant for a digon, a cone over three for a hexagon, a rectangle
+// for a 3-5 region. So it comes as a map: each node has up to four moves in counter-clockwise order. The map gives a
+// multigraph, and it gives the faces that the dual grid needs (captions of Figures 10 and 11).
 //
-// Law 4   each level s = d1 + d2 of a digon is a closed cycle of s nodes, of a hexagon of 3 s nodes. At s = 1 the
-//         digon's cycle is a self-loop, at s = 2 a double edge. Between levels s and s + 2 there are s + 1 (3 (s + 1))
-//         edges; the apex (0,0) hangs on level 2 by one (three).
+// theory-4  each level s = d1 + d2 of a digon is a closed cycle of s nodes, of a hexagon one of 3 s nodes. At s = 1 the
+//           digon's cycle is a self-loop, at s = 2 a double edge. Between levels s and s + 2 there are s + 1 edges
+//           (3 (s + 1) for a hexagon). The apex (0,0) hangs on level 2 by one edge (by three).
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ GridPoint step_offset(PairType type, int step);
 // The step that undoes a step.
 inline int reverse_step(int step) { return (step + 2) % kStepCount; }
 
-// A labelling (not necessarily canonical) reached from another one by a step, strips included; p stays. The result may
-// have entries out of range, which means that there is no such configuration: see is_configuration().
+// The labelling that a step leads to, strips included; p stays. The result need not be canonical. It is no
+// configuration if an entry is out of range: see is_configuration().
 Configuration stepped(PairType type, const Configuration& from, int step);
 bool is_configuration(const Configuration& c);
 
@@ -37,10 +37,11 @@ struct Dart {
   int slot = -1;    // which of the target's moves leads back
 };
 
-// A node's moves, counter-clockwise round the node. For a degenerate node the last two belong to its other labelling.
+// A node and its moves, counter-clockwise round it. The last two moves of a degenerate node belong to its other
+// labelling.
 struct MapNode {
   Configuration configuration;
-  std::vector<Dart> moves;                // four; as many as there are directions to open it at a merged node
+  std::vector<Dart> moves;                // four; of a merged node as many as it has directions to part in
   std::vector<Configuration> labellings;  // of moves[i]: the labelling that the step applies to
   std::vector<int> steps;                 // of moves[i]: the step in that labelling
 };
@@ -52,7 +53,7 @@ struct ConfigurationMap {
   std::vector<MapNode> nodes;          // in the order of parameter_set(), the merged ones last
   std::map<Configuration, int> index;  // of canonical configurations
 
-  // Index of a configuration given by any labelling, -1 if it is not in the map.
+  // The index of a configuration, given by any labelling; -1 if it is not in the map.
   int find(const Configuration& labelling) const;
 };
 
@@ -62,13 +63,13 @@ ConfigurationMap configuration_map(const RegionShape& shape, Apex apex);
 struct NodeProperty {
   Configuration configuration;
 };
-// Undirected multigraph: parallel edges and self-loops are kept.
+// An undirected multigraph; parallel edges and self-loops are kept.
 using ConfigurationGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, NodeProperty>;
 ConfigurationGraph configuration_graph(const ConfigurationMap& map);
 
-// Inner faces of the map and their adjacency: node i of the dual is a bounded face, labelled by the grid point at its
-// centre, which belongs to the region one step smaller or larger. An edge of the map between two bounded faces, or with
-// the same one on both sides, is an edge of the dual. Precondition: equal valences.
+// The inner faces of the map and their adjacency. Each bounded face is a node of the dual, labelled by the grid point
+// at its centre, which belongs to the region one step smaller or larger. Each edge of the map that has bounded faces on
+// both sides, or the same one twice, is an edge of the dual. Precondition: the valences are equal.
 struct DualGrid {
   std::vector<Configuration> faces;       // canonical (d1, d2, p); strips are left empty
   std::vector<std::array<int, 2>> edges;  // indices into faces, sorted

@@ -57,8 +57,8 @@ ConfigurationTable::Move ConfigurationTable::move(const Place& place, int slot) 
   const auto wrapped = [turns](int p) { return (p - 1 + turns) % turns + 1; };
   Move move;
   Place from = place;
-  // As list_moves() of configuration_graph.cpp orders them: (d,0,p) looks into quadrant p by its first two steps, and as
-  // (0,d,p+1) into quadrant p + 1 by two more; at the merged node quadrant p + 1 lies clockwise of quadrant p.
+  // As list_moves() of configuration_graph.cpp orders them: (d,0,p) looks into quadrant p by its first two steps, and
+  // as (0,d,p+1) into quadrant p + 1 by two more; at the merged node quadrant p + 1 lies clockwise of quadrant p.
   if (is_merged(place)) {
     from.p = turns - slot;
     move.step = 0;
@@ -77,7 +77,7 @@ ConfigurationTable::Move ConfigurationTable::move(const Place& place, int slot) 
     move.to.p = 1;
     move.back_slot = turns - to.p;
   } else if (degenerate(to)) {
-    if (to.at.m == 0) move.to = {wrapped(to.p - 1), {to.at.n, 0}};  // Law 3
+    if (to.at.m == 0) move.to = {wrapped(to.p - 1), {to.at.n, 0}};  // theory-3
     move.back_slot = to.at.n == 0 ? back : back == 3 ? 2 : 3;
   } else {
     move.back_slot = back;

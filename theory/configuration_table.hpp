@@ -1,8 +1,8 @@
-// The predicted configuration graph of configuration_graph.hpp in a few bytes for each configuration: numbers instead of
-// nodes, and moves worked out when they are asked for. For regions with hundreds of thousands of configurations.
+// The predicted configuration graph in a few bytes for each configuration, for regions with hundreds of thousands of
+// them. Configurations are numbers rather than nodes, and moves are worked out on request.
 //
-// A configuration is found by its grid point and p (GridPoint; Theorem 7.4's for a 3-5 pair), its moves have the slots of
-// MapNode::moves. tests/theory/theory_tests.cpp compares the two representations, move by move.
+// A configuration is found by its grid point and p. Its moves have the slots of MapNode::moves
+// (configuration_graph.hpp); a test compares the two representations move by move.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace requad::theory {
 
-// A labelling as the grid sees it.
+// A labelling as a position in the grid.
 struct Place {
   int p = 1;
   GridPoint at;
@@ -21,35 +21,36 @@ struct Place {
 
 class ConfigurationTable {
  public:
-  // All configurations of the region, merged ones included. Throws std::invalid_argument if the region has more than one
-  // merged configuration. O(L^2) numbers of memory, besides parameter_set() on the way.
+  // All configurations of the region, merged ones included. Throws std::invalid_argument if the region has more than
+  // one merged configuration. O(L^2) numbers of memory, besides parameter_set() on the way.
   explicit ConfigurationTable(const RegionShape& shape);
 
   const RegionShape& shape() const { return shape_; }
-  // Configurations that hold the pair, numbered 0..pairs()-1; the merged one, if there is one, is number pairs().
+  // The configurations that hold the pair are numbered 0..pairs()-1; the merged one, if there is one, is number
+  // pairs().
   int pairs() const { return pairs_; }
   bool has_merged() const { return merged_; }
   int size() const { return pairs_ + (merged_ ? 1 : 0); }
-  // One with the fewest quads. Precondition: pairs() > 0.
+  // A configuration with the fewest quads. Precondition: pairs() > 0.
   const Configuration& smallest() const { return smallest_; }
-  // The most quads that any of them has, the merged one among them, and the most vertices (by Euler's formula).
+  // The greatest numbers of quads and of vertices that a configuration has, the merged one included.
   Integer most_faces() const { return most_faces_; }
   Integer most_vertices() const { return most_faces_ + 1 + shape_.perimeter() / 2; }
-  // Edges of the predicted multigraph, those of the merged configuration among them. O(size()).
+  // The number of edges of the predicted multigraph, those of the merged configuration included. O(size()).
   std::int64_t count_edges() const;
 
   std::size_t bytes() const { return number_.capacity() * sizeof(number_[0]); }
 
-  // The number of a configuration by its canonical place (d2 = 0 rather than d1 = 0); -1 if there is none. O(1).
+  // The number of the configuration at a canonical place (d2 = 0 rather than d1 = 0); -1 if there is none. O(1).
   int find(const Place& place) const;
 
-  // Moves. A pair has kStepCount slots, the merged one rotation_count().
+  // A move. A pair has kStepCount slots for moves, the merged one rotation_count().
   struct Move {
-    int target = -1;     // its number; -1 where the region has no room for the step
+    int target = -1;     // a number; -1 where the region has no room for the step
     Place to;            // canonical, of the target
     int back_slot = -1;  // the slot of the target that leads back
     int step = -1;       // in the labelling that the slot belongs to
-    bool other = false;  // that labelling is other_labelling() of the configuration
+    bool other = false;  // whether that labelling is other_labelling() of the configuration
   };
   // O(1). Precondition: the place is canonical and 0 <= slot < slot_count().
   Move move(const Place& place, int slot) const;

@@ -1,15 +1,16 @@
-// Parameter sets: every configuration of a pair that given side lengths allow, each exactly once.
+// Parameter sets: every configuration of a pair that the side lengths of a region allow, each exactly once.
 //
 // Terms
-//   labelling       numbers 1..k laid on the sides of a region so that Law 1 (pair_system.hpp) holds; label i is on side
-//                   i + p - 1 of the region, where p is 1-based. With two equal valences, p and p + k/2 only swap v1
-//                   and v2, so p runs over 1..k/2: the third index of Theorem 7.3.
-//   configuration   a requadrangulation with its pair, up to isomorphism that fixes the boundary.
+//   labelling       the numbers 1..k laid on the sides of a region so that theory-1 (pair_system.hpp) holds. Label i is
+//   on
+//                   side i + p - 1 of the region; p counts from 1. If the valences are equal, p and p + k/2 only swap
+//                   v1 and v2; so p runs over 1..k/2. This is the third index of Theorem 7.3.
+//   configuration   a requadrangulation with its pair, up to isomorphisms that fix the boundary.
 //
-// Law 3   (d, 0, p) with strips e is the configuration (0, d, p + 1) with strips shifted by one, e'_i = e_{i+1}.
-// In words: R_alpha is then a segment, and either side of it may be called its zero leg. For a hexagon this glues three
-// quadrants into a cone (Figure 11), for a digon it closes one quadrant (Figure 10). Apart from this, and from swapping
-// equal vertices, a configuration has one labelling.
+// theory-3  (d, 0, p) with strips e is the configuration (0, d, p + 1) with strips shifted by one, e'_i = e_{i+1}.
+// In words: R_alpha is then a segment, and the leg of length zero may be taken on either side of it. This glues the
+// three quadrants of a hexagon into a cone (Figure 11) and closes the one quadrant of a digon (Figure 10). Apart from
+// this, and from swapping equal vertices, a configuration has one labelling.
 #pragma once
 
 #include <string>
@@ -43,17 +44,17 @@ struct GridPoint {
 };
 GridPoint grid_point(PairType type, const Configuration& configuration);
 
-// "(m,n)", or "(m,n,p)" where p takes more than one value among the configurations of a region (Theorem 7.3).
+// "(m,n)"; or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3).
 std::string label(PairType type, const Configuration& configuration);
 
 // One line that says why no pair has these parameters, or "" if one has: d1, d2 >= 0 and not both 0, k strips, each
 // >= 1, no length beyond kMaxLength.
 std::string parameters_problem(PairType type, const StripParameters& parameters);
 
-// Law 3's second labelling of a degenerate configuration. Precondition: exactly one of d1, d2 is 0.
+// The second labelling of a degenerate configuration (theory-3). Precondition: exactly one of d1, d2 is 0.
 Configuration other_labelling(PairType type, const Configuration& configuration);
-// The labelling that stands for a configuration: d2 = 0 rather than d1 = 0 (the merged one has p = 1). Any labelling is
-// accepted, p in 1..k included.
+// The labelling that stands for a configuration: d2 = 0 rather than d1 = 0, and p = 1 for the merged one. Accepts any
+// labelling with p in 1..k.
 Configuration canonical(PairType type, Configuration configuration);
 
 // Side lengths of the region of a configuration, from side 1 of the region (not of the labelling) on.
@@ -63,8 +64,8 @@ IntegerVector region_sides(PairType type, const Configuration& configuration);
 // system, L the longest side.
 std::vector<Configuration> parameter_set(const RegionShape& shape);
 
-// The merged configurations (0,0), for equal valences: one, or none (it needs E_i = e_{i-1} + e_{i+1} with all e_i >= 1);
-// a family where 4 divides k.
+// The merged configurations (0,0): the positive solutions of E_i = e_{i-1} + e_{i+1}. One at most, unless 4 divides k;
+// none if the valences differ.
 std::vector<Configuration> merged_configurations(const RegionShape& shape);
 
 }  // namespace requad::theory

@@ -2,22 +2,26 @@
 //
 // Terms (paper, section 7; used by every header of this folder)
 //   pair            two irregular vertices v1, v2 of valences l1 >= l2 >= 3 inside a convex region R.
-//   R_alpha         the d1 x d2 grid between them (Lemma 7.8): v1 and v2 are opposite corners; d2 = 0 or d1 = 0 is a segment.
-//   leg             a separatrix of v1 or v2 that runs along R_alpha; there are two at each vertex.
-//   outward         any other separatrix. v1 has l1 - 2, v2 has l2 - 2. They are numbered 1..k counter-clockwise round
-//                   R, v1's first; k = l1 + l2 - 4 = 4 - G(R) is the number of sides of R (Lemma 7.9).
-//   side i          the side of R that crosses outward separatrix i at a right angle; length E_i >= 1, in edges.
-//   strips e_i      the number of quad strips between R_alpha and side i (Lemmas 7.12-7.14); e_i >= 1 in a region
-//                   whose boundary has no irregular vertex.
+//   R_alpha         the d1 x d2 grid between them (Lemma 7.8). v1 and v2 are opposite corners of it. If d1 or d2 is 0,
+//   it
+//                   is a segment.
+//   leg             a separatrix of v1 or v2 that runs along R_alpha. Each vertex has two.
+//   outward         any other separatrix: l1 - 2 of v1 and l2 - 2 of v2. They are numbered 1..k counter-clockwise round
+//   R,
+//                   those of v1 first. k = l1 + l2 - 4 = 4 - G(R) is also the number of sides of R (Lemma 7.9).
+//   side i          the side of R that crosses outward separatrix i at a right angle. Its length is E_i >= 1 edges.
+//   strips e_i      the number of quad strips between R_alpha and side i (Lemmas 7.12-7.14). e_i >= 1 unless an
+//                   irregular vertex lies on the boundary.
 //
-// Law 1   E_i = e_{i-1} + e_{i+1} + (d1 if i is the first outward separatrix of v1 or v2)
-//                                 + (d2 if i is the last outward separatrix of v1 or v2),   indices modulo k.
-// In words: side i runs from side i-1 to side i+1, and is as long as those two sides are far from separatrix i; where a
-// neighbouring side belongs to the other vertex, the displacement between the two vertices adds to the distance.
-// For (l1,l2) = (3,3), (5,5), (5,3) this is the digon's system, Equation 2 and Equation 3 of the paper; it holds for
-// any two valences >= 3, and with d1 = d2 = 0 for one vertex of valence k.
+// theory-1  E_i = e_{i-1} + e_{i+1} + (d1 if i is the first outward separatrix of v1 or v2)
+//                                   + (d2 if i is the last outward separatrix of v1 or v2),   indices modulo k.
+// In words: side i runs from side i-1 to side i+1. Its length is the sum of the distances from separatrix i to these
+// two sides. Where a neighbouring side belongs to the other vertex, the distance grows by the displacement of the
+// vertices. For (l1,l2) = (3,3), (5,5), (5,3) this is the digon's system, Equation 2 and Equation 3 of the paper. It
+// holds for any two valences >= 3, and with d1 = d2 = 0 for one vertex of valence k.
 //
-// Law 2   the matrix of the e_i is a circulant; it is singular exactly when 4 divides k (Theorem 7.1's condition).
+// theory-2  the matrix of the e_i is a circulant. It is singular exactly if 4 divides k, which is Theorem 7.1's
+//           condition.
 #pragma once
 
 #include <cstdint>
@@ -41,17 +45,18 @@ inline IntegerVector to_vector(const std::vector<Integer>& values) {
 // v with v'_i = v_{i + by}, indices modulo k: what label i reads when label 1 lies on entry `by` (0-based). O(k).
 IntegerVector rotated(const IntegerVector& v, Eigen::Index by);
 
-// Longest side that parameters may have: products of two lengths, and sums of a few, stay far inside 64 bits.
+// The greatest length that parameters may have. Products of two lengths, and sums of a few of these, fit in 64 bits.
 inline constexpr Integer kMaxLength = 1'000'000;
 
-// Valences of a pair, the larger first. The paper's three: 3-3 in a digon, 5-5 in a hexagon, 3-5 in a quadrilateral.
+// The valences of a pair, the greater first. The paper has three: 3-3 in a digon, 5-5 in a hexagon, 3-5 in a
+// quadrilateral.
 struct PairType {
   int l1 = 3;
   int l2 = 3;
 
   int side_count() const { return l1 + l2 - 4; }
   bool symmetric() const { return l1 == l2; }
-  // Number of ways to lay the labels 1..k on given sides; labellings that only swap two equal vertices count once.
+  // The number of ways to lay the labels 1..k on the sides. Labellings that only swap two equal vertices count once.
   int rotation_count() const { return symmetric() ? side_count() / 2 : side_count(); }
   // "3-3", "5-5", "3-5": the smaller valence first, as the paper writes it.
   std::string name() const;
@@ -62,7 +67,7 @@ struct PairType {
 inline constexpr PairType kDigon{3, 3};
 inline constexpr PairType kHexagon{5, 5};
 inline constexpr PairType kQuad{5, 3};
-// The one of these three with this name, "5-3" included.
+// The one of these three with this name; "5-3" is accepted too. Nothing if there is none.
 std::optional<PairType> pair_type(std::string_view name);
 
 // (d1, d2, e_1..e_k): the separatrix-strip parameters.
@@ -72,7 +77,7 @@ struct StripParameters {
   IntegerVector e;
 };
 
-// Law 1 as matrices: E = strip_matrix() * e + d1 * first_offset() + d2 * last_offset().
+// theory-1 as matrices: E = strip_matrix() * e + d1 * first_offset() + d2 * last_offset().
 class PairSystem {
  public:
   // Precondition: type.l1 >= type.l2 >= 3.
@@ -86,12 +91,12 @@ class PairSystem {
   // Side lengths E_1..E_k. Precondition: parameters.e has k entries.
   IntegerVector side_lengths(const StripParameters& parameters) const;
 
-  // All e with every e_i >= 1 that give the sides E with these d1, d2; empty when there is none. One at most unless 4
-  // divides k. Exact: integers only. O(k) for each solution. Lexicographic order.
+  // All e with every e_i >= 1 that give the sides E with these d1, d2, in lexicographic order. There is at most one
+  // unless 4 divides k. Exact, in integers. O(k) for each solution.
   std::vector<IntegerVector> solve_strips(const IntegerVector& sides, Integer d1, Integer d2) const;
 
-  // Number of quads: d1 d2 + sum e_i e_{i+1} + d1 (e of the two firsts) + d2 (e of the two lasts). Each term is one
-  // kind of rectangle: R_alpha, those between consecutive outward separatrices, those along the legs.
+  // The number of quads: d1 d2 + sum e_i e_{i+1} + d1 (e of the two firsts) + d2 (e of the two lasts). Each term counts
+  // one kind of rectangle: R_alpha, those between consecutive outward separatrices, and those along the legs.
   Integer face_count(const StripParameters& parameters) const;
   // The same for any kind of number, polynomials included (proofs.hpp). Precondition: e has k entries.
   template <class Number>
@@ -111,11 +116,13 @@ class PairSystem {
   IntegerVector last_;
 };
 
-// All positive solutions of e_{i-1} + e_{i+1} = c_i (indices modulo k = c.size() >= 1): the single-vertex system of
-// Theorem 7.1, and what is left of Law 1 when d1, d2 are given. Unique unless 4 divides k. Lexicographic order.
+// All positive solutions of e_{i-1} + e_{i+1} = c_i (indices modulo k = c.size() >= 1), in lexicographic order. This is
+// the system of a single vertex (Theorem 7.1), and what is left of theory-1 when d1, d2 are given. There is at most one
+// solution unless 4 divides k.
 std::vector<IntegerVector> solve_circulant(const IntegerVector& c);
 
-// Exact determinant by fraction-free elimination (Bareiss). Precondition: square, entries small enough for 64 bits.
+// The exact determinant, by fraction-free elimination (Bareiss). Precondition: the matrix is square, and its minors fit
+// in 64 bits.
 Integer determinant(IntegerMatrix matrix);
 
 }  // namespace requad::theory

@@ -24,7 +24,7 @@ class RegionShape {
   static std::string problem(PairType type, const IntegerVector& sides);
 
   const PairType& type() const { return system_.type(); }
-  // Law 1 for this type.
+  // theory-1 for this type.
   const PairSystem& system() const { return system_; }
   int side_count() const { return type().side_count(); }
   // E_1..E_k, from side 1 of the region on.

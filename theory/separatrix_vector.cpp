@@ -61,7 +61,7 @@ SeparatrixVector separatrix_vector(const RegionShape& shape, const Labelling& l)
 
 namespace {
 
-// The labelling whose first legs are these, read off the crossings by Law 6; no promise that they are its own.
+// The labelling with these first legs, read off the crossings by theory-6. The caller checks that it has this vector.
 std::optional<Labelling> read(const Frame& frame, std::span<const Crossing> at_v1, int leg1,
                               std::span<const Crossing> at_v2, int leg2) {
   const int k = frame.k;
@@ -95,7 +95,7 @@ std::optional<Labelling> read(const Frame& frame, std::span<const Crossing> at_v
     if (v == 0) l.d1 = d1, l.d2 = d2;
     if (d1 != l.d1 || d2 != l.d2) return std::nullopt;
   }
-  // A joining leg: the crossings say that one extent is 0, the length what the other is.
+  // A leg joins the vertices: one extent is 0, and the length of the leg is the other.
   if (second_leg[0]->side < 0) l.d1 = second_leg[0]->length;
   if (l.d1 < 0 || l.d2 < 0) return std::nullopt;
   return l;
@@ -118,7 +118,7 @@ std::optional<Located> locate(const RegionShape& shape, std::span<const Crossing
       bool same = true;
       for (int i = 0; i < l1 && same; ++i) same = predicted.at_v1[slot(i)] == at_v1[slot((leg1 + i) % l1)];
       for (int i = 0; i < l2 && same; ++i) same = predicted.at_v2[slot(i)] == at_v2[slot((leg2 + i) % l2)];
-      // Law 1: nothing else says how long a side is whose only crossing is that of a middle separatrix.
+      // theory-1: nothing else says how long a side is whose only crossing is that of a middle separatrix.
       for (int i = 0; i < frame.k && same; ++i) {
         const bool is_first = i == 0 || i == l1 - 2;
         const bool is_last = i == l1 - 3 || i == frame.k - 1;

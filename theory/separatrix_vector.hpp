@@ -1,21 +1,24 @@
-// The vector of Theorem 7.11: where the separatrices of a pair meet the boundary, and what that tells of the pair.
+// The vector of Theorem 7.11: where the separatrices of a pair meet the boundary, and how that determines the pair.
 //
 // Terms
-//   crossing     (S, u) of one separatrix: the side that it meets and the distance from that side's start; here with
-//                the separatrix's length, which the theorem does not need.
-//   frame order  the separatrices of a vertex counter-clockwise from its first leg: first leg, second leg, outward ones.
-//                R_alpha lies between the two legs.
+//   crossing     (S, u) of one separatrix: the side that it meets, and the distance from the start of that side. Here
+//   it
+//                has the separatrix's length too, which the theorem does not need.
+//   frame order  the separatrices of a vertex counter-clockwise: first leg, second leg, outward ones. R_alpha lies
+//   between
+//                the two legs.
 //
-// Law 5   with a labelling (d1, d2, e, p) and sides E, label i on side i + p - 1 of the region (indices modulo k), f and
-//         l the labels of a vertex's first and last outward separatrix, primed for the other vertex:
-//           outward separatrix i   meets side i at e_{i-1} + (d1 if i is a first one), after e_i edges
-//           first leg              meets side f' at e_{f'-1}, after d2 + e_{f'} edges
-//           second leg             meets side l' at E_{l'} - e_{l'+1}, after d1 + e_{l'} edges
-// In words: beyond R_alpha a leg runs beside an outward separatrix of the other vertex, on whose side it ends, before the
-// first or beyond the last of them. A leg that joins the two vertices (the second ones if d2 = 0) meets no side.
+// theory-5  with a labelling (d1, d2, e, p) and sides E, label i on side i + p - 1 of the region (indices modulo k), f
+//           and l the labels of a vertex's first and last outward separatrix, primed for the other vertex:
+//             outward separatrix i   meets side i at e_{i-1} + (d1 if i is a first one), after e_i edges
+//             first leg              meets side f' at e_{f'-1}, after d2 + e_{f'} edges
+//             second leg             meets side l' at E_{l'} - e_{l'+1}, after d1 + e_{l'} edges
+// In words: beyond R_alpha a leg runs beside an outward separatrix of the other vertex and ends on the same side: the
+// first leg before the first outward separatrix, the second leg beyond the last. A leg that joins the two vertices
+// meets no side (the second legs do if d2 = 0).
 //
-// Law 6   (Theorem 7.11) So the vector determines the labelling: e_{i-1} is where the first crossing of side i lies,
-//         e_{i+1} what is left of the side after the last one, d1 and d2 are what lies between.
+// theory-6  (Theorem 7.11) So the vector determines the labelling: e_{i-1} is where the first crossing of side i lies,
+//           e_{i+1} what is left of the side after the last one, d1 and d2 are what lies between.
 #pragma once
 
 #include <array>
@@ -33,7 +36,7 @@ struct Crossing {
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-// Labels of regions with so many sides fit in this module's arrays: no allocation.
+// The most sides that a region may have here. Fixed arrays spare allocations.
 inline constexpr int kMostSides = 8;
 inline constexpr int kMostSeparatrices = 8;  // of one vertex
 
@@ -48,27 +51,28 @@ struct Labelling {
 Labelling to_labelling(const Configuration& configuration);
 Configuration to_configuration(PairType type, const Labelling& labelling);
 
-// Law 5, the crossings of both vertices in frame order. Precondition: shape.side_count() <= kMostSides, d1 > 0 or d2 > 0.
+// The crossings of both vertices in frame order (theory-5). Precondition: shape.side_count() <= kMostSides, d1 > 0 or
+// d2 > 0.
 struct SeparatrixVector {
   std::array<Crossing, kMostSeparatrices> at_v1{};
   std::array<Crossing, kMostSeparatrices> at_v2{};
 };
 SeparatrixVector separatrix_vector(const RegionShape& shape, const Labelling& labelling);
 
-// Law 6. `at_v1` and `at_v2` are counter-clockwise from any separatrix. The labelling is canonical: d1 > 0 and, for equal
-// valences, p <= k / 2.
+// A pair found by its vector. The labelling is canonical: d1 > 0 and, for equal valences, p <= k / 2.
 struct Located {
   Labelling labelling;
-  bool swapped = false;  // labels 1.. are the second vertex's (equal valences only)
+  bool swapped = false;  // whether the second vertex has the first labels (equal valences only)
   int leg1 = 0;          // index of the first leg in at_v1
   int leg2 = 0;          // in at_v2
 };
-// Nothing if no labelling has this very vector, lengths included. O(l1 l2), no allocation.
+// Finds the labelling that has this vector, lengths included (theory-6); nothing if there is none. The crossings are
+// counter-clockwise from any separatrix of each vertex. O(l1 l2), without allocation.
 std::optional<Located> locate(const RegionShape& shape, std::span<const Crossing> at_v1,
                               std::span<const Crossing> at_v2);
 
-// The same for the merged vertex: separatrix i meets side i at e_{i-1}, after e_i edges. Index of the separatrix that
-// meets side 1; -1 if the vector is not that of a merged vertex.
+// The same for the merged vertex, whose separatrix i meets side i at e_{i-1}, after e_i edges. Returns the index of the
+// separatrix that meets side 1; -1 if no merged vertex has this vector.
 int locate_merged(const RegionShape& shape, std::span<const Crossing> at_v);
 
 }  // namespace requad::theory

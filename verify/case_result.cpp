@@ -29,6 +29,7 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
     return j;
   };
   CaseResult result;
+  const Family family = family_of(region);
   const auto start = Clock::now();
   try {
     const Study s = study(region, methods, progress);
@@ -36,7 +37,7 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
     for (const Claim* claim : selected) {
       const auto judging = Clock::now();
       try {
-        const bool concerns = claim->families.count(region.family) > 0;
+        const bool concerns = claim->families.count(family) > 0;
         result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
       } catch (const std::exception& error) {
         if (program::is_exhaustion(error)) throw;

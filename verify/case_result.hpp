@@ -1,4 +1,4 @@
-// What a campaign keeps of one region, and how it travels: into a journal (journal.hpp) and between processes.
+// What a campaign keeps of one region, and its JSON for journals (journal.hpp) and for other processes.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,16 @@ struct CaseResult {
   double study_seconds = 0;
 };
 
-// Studies the region and lets each claim that concerns it judge. An exception is a violation of the claim (of all of
-// them, if it comes from the study), never lost. `progress` is told of configurations that a walk visits.
+// Studies the region and judges it by each claim that concerns it. An exception from a check counts as a violation of
+// its claim, one from the study as a violation of all claims. A walk reports the configurations that it visits to
+// `progress`.
 CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected,
                     const std::set<Method>& methods, const enumerate::WalkProgress& progress = {});
 
-// As JSON, and back. What comes back makes the same report, byte for byte, and the same mesh of a violation.
+// Converts a result to JSON and back. What comes back makes the same report, byte for byte, and the same violating
+// mesh.
 nlohmann::ordered_json to_json(const CaseResult& result);
-// Throws std::invalid_argument, or an exception of the JSON library, if that is no result for so many claims.
+// Throws std::invalid_argument or an exception of the JSON library if the JSON is no result for this number of claims.
 CaseResult case_result(const nlohmann::ordered_json& json, std::size_t claims);
 
 }  // namespace requad::verify

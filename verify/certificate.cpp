@@ -73,7 +73,7 @@ std::string script_text(const mesh::Region& region, const std::vector<mesh::Basi
 
 }  // namespace
 
-std::string certificate_text(const Study& s) {
+std::string certificate_text(const PairStudy& s) {
   std::string meshes, edges;
   int pairs = 0, merged = 0, edge_count = 0;
   for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
@@ -81,7 +81,7 @@ std::string certificate_text(const Study& s) {
     const bool holds_pair = s.found.holds_pair(static_cast<int>(i));
     ++(holds_pair ? pairs : merged);
     meshes += "mesh " + std::to_string(i) + (holds_pair ? " pair " : " merged ") +
-              theory::label(s.region.type, node.reading.configuration) + " vertices " +
+              theory::label(s.shape.type(), node.reading.configuration) + " vertices " +
               std::to_string(node.region.mesh.vertex_count()) + " faces " +
               std::to_string(node.region.mesh.face_count()) + "\n" + mesh_text(node.region);
   }
@@ -99,7 +99,7 @@ std::string certificate_text(const Study& s) {
              mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
              script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
   }
-  return "requad certificate 1\npair " + s.region.type.name() + "\nsides " + theory::joined(s.region.sides, " ") +
+  return "requad certificate 1\npair " + s.shape.type().name() + "\nsides " + theory::joined(s.shape.sides(), " ") +
          "\nconfigurations " + std::to_string(pairs) + "\nmerged " + std::to_string(merged) + "\nedges " +
          std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
 }
@@ -114,10 +114,11 @@ int write_certificates(const std::string& folder, const std::vector<RegionCase>&
   int written = 0;
   for (const RegionCase& c : cases) {
     progress.advance();
-    if (c.family == Family::single_vertex || c.family == Family::three_vertices) continue;
-    const Study s = study(c, {Method::moves});
+    const auto* const pair = std::get_if<PairCase>(&c);
+    if (pair == nullptr) continue;
+    const PairStudy s = study_pair(pair->shape, {Method::moves});
     if (s.found.nodes.empty()) continue;
-    const std::string file = c.type.name() + "-" + theory::joined(c.sides, "-") + ".txt";
+    const std::string file = s.shape.type().name() + "-" + theory::joined(s.shape.sides(), "-") + ".txt";
     outputs.add((std::filesystem::path(folder) / file).string(), certificate_text(s));
     manifest += file + "\n";
     ++written;

@@ -1,5 +1,5 @@
-// Slips in the paper's text, each found by comparing what is written with what moves find, and listed with the smallest
-// instance that shows it. They are matters of wording: the theorems hold once read as the claims here read them.
+// Slips in the paper's text. Each is found by comparing the text with what moves find, and comes with the smallest
+// region that shows it. They are matters of wording: the theorems hold as the claims here state them.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Erratum {
   std::string instance;  // the region that shows it
 };
 
-// Looks for each slip in regular regions of increasing side; lists those for which an instance turns up.
+// Looks for each slip in regular regions of increasing side. Lists the slips for which a region is found.
 std::vector<Erratum> find_errata();
 
 }  // namespace requad::verify

@@ -73,7 +73,7 @@ TEST_CASE("counts of the theorems and of Theorem 7.1's sharpness", "[search]") {
 }
 
 TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
-  // Law 1 for valences beyond the paper's: 3-6, 5-6 by parameter set, against search that knows no law.
+  // theory-1 for valences beyond the paper's: 3-6, 5-6 by parameter set, against search that knows no law.
   for (const theory::PairType type : {theory::PairType{6, 3}, theory::PairType{6, 5}}) {
     const int k = type.side_count();
     int regions = 0;

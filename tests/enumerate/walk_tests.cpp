@@ -81,7 +81,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
     const enumerate::Reading reading = enumerate::read(entry.region, entry.shape.type());
     const auto positions = mesh::boundary_positions(entry.region);
     for (const enumerate::LabelledFrame& f : reading.frames) {
-      // In frame order, as Law 5 has it.
+      // In frame order, as theory-5 has it.
       std::vector<theory::Crossing> at_v1, at_v2;
       for (const mesh::PairFrame& frame : mesh::both_ends(entry.region.mesh, f.frame)) {
         auto& at = at_v1.empty() ? at_v1 : at_v2;

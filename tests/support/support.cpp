@@ -7,7 +7,7 @@
 #include "enumerate/generators.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/validate.hpp"
-#include "verify/campaign.hpp"
+#include "verify/case_list.hpp"
 
 namespace requad::tests {
 
@@ -34,13 +34,13 @@ std::vector<CensusEntry> census(int perimeter, bool with_merged) {
   const auto list = verify::list_cases(ranges, {Family::regular_digon, Family::regular_hexagon, Family::quad,
                                                 Family::other_digon, Family::other_hexagon});
   for (const verify::RegionCase& c : list.cases) {
-    const theory::RegionShape shape(c.type, c.sides);
+    const theory::RegionShape& shape = std::get<verify::PairCase>(c).shape;
     auto configurations = theory::parameter_set(shape);
     if (with_merged) {
       for (auto& merged : theory::merged_configurations(shape)) configurations.push_back(std::move(merged));
     }
     for (const auto& configuration : configurations) {
-      entries.push_back({shape, configuration, enumerate::glue_region(c.type, configuration)});
+      entries.push_back({shape, configuration, enumerate::glue_region(shape.type(), configuration)});
     }
   }
   if (!with_merged) return entries;

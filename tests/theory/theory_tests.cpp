@@ -39,7 +39,7 @@ std::size_t degree_total(const ConfigurationGraph& graph, bool merged) {
 
 }  // namespace
 
-TEST_CASE("Law 1 is the paper's three systems", "[theory]") {
+TEST_CASE("theory-1 is the paper's three systems", "[theory]") {
   // Proof of Theorem 7.2: E1 = d1+d2+2 e2, E2 = d1+d2+2 e1. Distinct primes tell every coefficient apart.
   const PairSystem digon(kDigon);
   CHECK(digon.side_lengths(parameters(2, 3, {5, 7})) == sides({2 + 3 + 14, 2 + 3 + 10}));
@@ -54,7 +54,7 @@ TEST_CASE("Law 1 is the paper's three systems", "[theory]") {
         sides({d1 + e2 + e4, e1 + e3, d2 + e2 + e4, d1 + d2 + e1 + e3}));
 }
 
-TEST_CASE("Law 2: the strip matrix is singular exactly when 4 divides k", "[theory]") {
+TEST_CASE("theory-2: the strip matrix is singular exactly when 4 divides k", "[theory]") {
   for (int l1 = 3; l1 <= 9; ++l1) {
     for (int l2 = 3; l2 <= l1; ++l2) {
       const PairSystem system({l1, l2});
@@ -247,7 +247,7 @@ TEST_CASE("impossible sides and parameters are named", "[theory]") {
   CHECK_FALSE(parameters_problem(kDigon, parameters(1, 2, {1})).empty());
 }
 
-TEST_CASE("Law 3: both labellings of a segment give the same region", "[theory]") {
+TEST_CASE("theory-3: both labellings of a segment give the same region", "[theory]") {
   for (const PairType type : {kDigon, kHexagon, kQuad}) {
     for (int p = 1; p <= type.rotation_count(); ++p) {
       Configuration c;
@@ -265,7 +265,7 @@ TEST_CASE("Law 3: both labellings of a segment give the same region", "[theory]"
   }
 }
 
-TEST_CASE("Law 4: levels, self-loop, double edge, apex", "[theory]") {
+TEST_CASE("theory-4: levels, self-loop, double edge, apex", "[theory]") {
   const auto even = configuration_graph(configuration_map({kDigon, sides({8, 8})}, Apex::with));
   const auto odd = configuration_graph(configuration_map({kDigon, sides({7, 7})}, Apex::with));
   CHECK(edges_between(odd, {1, 0}, {1, 0}) == 1);

@@ -2,28 +2,69 @@
 #include "verify/claims/claims.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include "verify/claims/judging.hpp"
 
 namespace requad::verify {
 
-Violation at_node(const Study& s, std::size_t node, std::string what) {
+Violation at_node(const PairStudy& s, std::size_t node, std::string what) {
   const enumerate::FoundNode& n = s.found.nodes[node];
-  return {std::move(what), n.reading.problem.empty() ? theory::label(s.region.type, n.reading.configuration) : "", "",
+  return {std::move(what), n.reading.problem.empty() ? theory::label(s.shape.type(), n.reading.configuration) : "", "",
           n.region};
 }
 
-Violation at_move(const Study& s, const enumerate::FoundMove& move, std::string what) {
+Violation at_move(const PairStudy& s, const enumerate::FoundMove& move, std::string what) {
   Violation v = at_node(s, static_cast<std::size_t>(move.from), std::move(what));
   v.move = mesh::name(move.move.step);
   return v;
 }
 
-Violation at_region(const Study& s, std::string what) {
+Violation at_region(const PairStudy& s, std::string what) {
   Violation v{std::move(what), "", "", std::nullopt};
   if (!s.found.nodes.empty()) v.mesh = s.found.nodes[0].region;
-  if (!s.single.empty()) v.mesh = s.single[0];
   return v;
+}
+
+Violation at_region(const VertexStudy& s, std::string what) {
+  Violation v{std::move(what), "", "", std::nullopt};
+  if (!s.glued.empty()) v.mesh = s.glued[0];
+  return v;
+}
+
+namespace {
+
+template <class Kind>
+Judgement judged(Judgement (*check)(const Kind&), const Study& study) {
+  if constexpr (std::is_same_v<Kind, Study>) {
+    return check(study);
+  } else {
+    const Kind* const one = std::get_if<Kind>(&study);
+    return one != nullptr ? check(*one) : not_applicable();
+  }
+}
+
+}  // namespace
+
+Judgement Claim::judge(const Study& study) const {
+  return std::visit([&study](const auto known) { return judged(known, study); }, check);
+}
+
+const Claim* find_claim(const std::string& id) {
+  const auto it = std::find_if(claims().begin(), claims().end(), [&id](const Claim& c) { return c.id == id; });
+  return it == claims().end() ? nullptr : &*it;
+}
+
+std::vector<RegionVerdict> judge_region(const Study& study, const std::vector<std::string>& ids) {
+  std::vector<RegionVerdict> verdicts;
+  for (const std::string& id : ids) {
+    const Claim* const claim = find_claim(id);
+    const bool concerns = claim->families.count(family_of(study)) > 0;
+    if (Judgement j = concerns ? claim->judge(study) : not_applicable(); j.applies)
+      verdicts.push_back({claim, std::move(j)});
+  }
+  return verdicts;
 }
 
 const std::vector<Claim>& claims() {
@@ -116,7 +157,8 @@ const std::vector<Claim>& claims() {
       {"P4",
        "section 6",
        "The transported pair may take any path, so a sharp feature stays untouched.",
-       "couriers sent in all directions with a feature on an edge that the direct way removes: the feature, the "
+       "adjacent pairs transported in all directions, with a feature on an edge that the direct path removes: the "
+       "feature, the "
        "configurations they make, those that moves reach",
        kPairs,
        {kMoves},
@@ -229,7 +271,7 @@ const std::vector<Claim>& claims() {
        "section 1",
        "Three irregular vertices can be edited by cancelling or merging: a 3-5 pair is cancelled with the help of the "
        "third iff the region can be filled with one vertex, and then in every configuration.",
-       "every filling with three vertices, found by search: cancelled and merged by couriers and moves, the results "
+       "every filling with three vertices, found by search: cancelled and merged by transport and moves, the results "
        "among the fillings with one or two vertices that the search finds",
        {three_vertices},
        {kSearch},

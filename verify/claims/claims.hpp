@@ -1,10 +1,13 @@
-// One check for each claim of the paper that this program verifies. A check judges a study and changes nothing.
+// The claims of the paper that this program verifies, and how one region is judged by them.
+//
+// Each claim is a row of one table: its id, what the paper states, and the check that judges a study. The checks are in
+// the other sources of this folder, by subject (judging.hpp lists them).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +16,7 @@
 
 namespace requad::verify {
 
-// The object that violates a claim.
+// What violates a claim.
 struct Violation {
   std::string what;                  // one line: what was expected, what was found
   std::string configuration;         // label, "" if the region as a whole is at fault
@@ -28,6 +31,10 @@ struct Judgement {
   std::optional<Violation> violation;
 };
 
+// A check judges a study and changes nothing. Each gets what it is about; the last kind is about any mesh.
+using Check = std::variant<Judgement (*)(const PairStudy&), Judgement (*)(const VertexStudy&),
+                           Judgement (*)(const TripleStudy&), Judgement (*)(const Study&)>;
+
 struct Claim {
   std::string id;     // of the claims ledger
   std::string where;  // in the paper
@@ -35,10 +42,26 @@ struct Claim {
   std::string compares;       // the two sides of the check, for readers of the report
   std::set<Family> families;  // the regions that the claim can say something about
   std::set<Method> methods;   // the ways of finding that the check can use; one of them must have been asked for
-  std::function<Judgement(const Study&)> judge;
+  Check check;
+
+  // Does not apply to a study of another kind than the check's.
+  Judgement judge(const Study& study) const;
 };
 
 // In the ledger's order.
 const std::vector<Claim>& claims();
+// Nothing if there is no such claim.
+const Claim* find_claim(const std::string& id);
+
+// The verdict of a claim for one region. Judgement::row has the numbers that were compared.
+struct RegionVerdict {
+  const Claim* claim = nullptr;
+  Judgement judgement;
+
+  bool holds() const { return !judgement.violation; }
+};
+// Judges a region by these claims; leaves out each that says nothing about it. Precondition: the ids are those of
+// claims.
+std::vector<RegionVerdict> judge_region(const Study& study, const std::vector<std::string>& ids);
 
 }  // namespace requad::verify

@@ -1,19 +1,20 @@
 // What the checks of claims.hpp share: violations at a node, a move or a region, and loops over both.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "verify/claims/claims.hpp"
 
 namespace requad::verify {
 
-inline bool is_regular(const Study& s) {
-  return s.region.family == Family::regular_digon || s.region.family == Family::regular_hexagon;
-}
-inline bool is_digon(const Study& s) { return s.region.type == theory::kDigon; }
-inline bool is_hexagon(const Study& s) { return s.region.type == theory::kHexagon; }
-inline bool is_quad(const Study& s) { return s.region.type == theory::kQuad; }
+// Regular in the sense of Theorems 7.2 and 7.3, which say nothing about a 3-5 pair.
+inline bool is_regular(const PairStudy& s) { return s.shape.type().symmetric() && s.shape.is_regular(); }
+inline bool is_digon(const PairStudy& s) { return s.shape.type() == theory::kDigon; }
+inline bool is_hexagon(const PairStudy& s) { return s.shape.type() == theory::kHexagon; }
+inline bool is_quad(const PairStudy& s) { return s.shape.type() == theory::kQuad; }
 
 inline Judgement not_applicable() {
   Judgement j;
@@ -21,16 +22,19 @@ inline Judgement not_applicable() {
   return j;
 }
 
-inline std::vector<theory::Integer> side_list(const Study& s) { return {s.region.sides.begin(), s.region.sides.end()}; }
+inline std::vector<theory::Integer> side_list(const theory::IntegerVector& sides) {
+  return {sides.begin(), sides.end()};
+}
 
 // The violation of a node, a move, or the region as a whole (whose first known mesh goes with it).
-Violation at_node(const Study& s, std::size_t node, std::string what);
-Violation at_move(const Study& s, const enumerate::FoundMove& move, std::string what);
-Violation at_region(const Study& s, std::string what);
+Violation at_node(const PairStudy& s, std::size_t node, std::string what);
+Violation at_move(const PairStudy& s, const enumerate::FoundMove& move, std::string what);
+Violation at_region(const PairStudy& s, std::string what);
+Violation at_region(const VertexStudy& s, std::string what);
 
 // Judges every found configuration; `problem` gives "" or what is wrong. Does not apply where nothing was found.
 template <class Problem>
-Judgement for_each_node(const Study& s, Problem&& problem) {
+Judgement for_each_node(const PairStudy& s, Problem&& problem) {
   Judgement j;
   for (std::size_t i = 0; i < s.found.nodes.size() && !j.violation; ++i) {
     ++j.checks;
@@ -42,7 +46,7 @@ Judgement for_each_node(const Study& s, Problem&& problem) {
 
 // Judges every move that was made. Does not apply where none was.
 template <class Problem>
-Judgement for_each_move(const Study& s, Problem&& problem) {
+Judgement for_each_move(const PairStudy& s, Problem&& problem) {
   Judgement j;
   for (const enumerate::FoundMove& move : s.found.moves) {
     if (move.to < 0) continue;
@@ -56,36 +60,54 @@ Judgement for_each_move(const Study& s, Problem&& problem) {
   return j;
 }
 
+// Counts what is required and keeps the first violation.
+class Requirements {
+ public:
+  explicit Requirements(Judgement& j) : j_(j) {}
+  void that(bool holds, Violation otherwise) {
+    ++j_.checks;
+    if (!holds && !j_.violation) j_.violation = std::move(otherwise);
+  }
+
+ private:
+  Judgement& j_;
+};
+
+// The edges of a graph as a multiset of pairs of names, the lesser first; names are by vertex of the graph.
+std::map<std::pair<int, int>, int> edges_of(const theory::ConfigurationGraph& graph, const std::vector<int>& names);
+
 // The checks, by the files that hold them.
-// claims_pairs.cpp
-Judgement judge_theorem_1(const Study& s);
-Judgement judge_theorem(const Study& s);        // T2, T3, T4
-Judgement judge_connected(const Study& s);      // M1
-Judgement judge_realisation(const Study& s);    // R1
-Judgement judge_dual(const Study& s);           // F1
-Judgement judge_no_cancelling(const Study& s);  // N1
-Judgement judge_merging(const Study& s);        // N2
-// claims_moves.cpp
-Judgement judge_distance_kept(const Study& s);     // P1
-Judgement judge_distance_changed(const Study& s);  // P2
-Judgement judge_faces(const Study& s);             // P3
-Judgement judge_locality(const Study& s);          // N4
-// claims_couriers.cpp
-Judgement judge_detour(const Study& s);          // P4
-Judgement judge_three_vertices(const Study& s);  // N3
-// claims_regions.cpp
-Judgement judge_gauss_bonnet(const Study& s);  // G1
-Judgement judge_lemma_8(const Study& s);
-Judgement judge_lemma_9(const Study& s);
-Judgement judge_growth(const Study& s);  // L10
-Judgement judge_theorem_11(const Study& s);
-// claims_operations.cpp
-Judgement judge_single_vertex_operations(const Study& s);  // B1
-Judgement judge_valence_changes(const Study& s);           // B2
-Judgement judge_inverses(const Study& s);                  // B3
-Judgement judge_adjacent_pair(const Study& s);             // A1
-Judgement judge_vertex_steps(const Study& s);              // A2
-Judgement judge_quadruple(const Study& s);                 // A3
-Judgement judge_type_changes(const Study& s);              // A4
+// theorems.cpp
+Judgement judge_theorem_1(const VertexStudy& s);
+Judgement judge_theorem(const PairStudy& s);  // T2, T3, T4
+// grids.cpp
+Judgement judge_connected(const PairStudy& s);    // M1
+Judgement judge_realisation(const PairStudy& s);  // R1
+Judgement judge_dual(const PairStudy& s);         // F1
+// merging.cpp
+Judgement judge_no_cancelling(const PairStudy& s);  // N1
+Judgement judge_merging(const PairStudy& s);        // N2
+// moves.cpp
+Judgement judge_distance_kept(const PairStudy& s);     // P1
+Judgement judge_distance_changed(const PairStudy& s);  // P2
+Judgement judge_faces(const PairStudy& s);             // P3
+Judgement judge_locality(const PairStudy& s);          // N4
+// transport.cpp
+Judgement judge_detour(const PairStudy& s);            // P4
+Judgement judge_three_vertices(const TripleStudy& s);  // N3
+// regions.cpp
+Judgement judge_gauss_bonnet(const PairStudy& s);  // G1
+Judgement judge_lemma_8(const PairStudy& s);
+Judgement judge_lemma_9(const PairStudy& s);
+Judgement judge_growth(const PairStudy& s);  // L10
+Judgement judge_theorem_11(const PairStudy& s);
+// operations.cpp
+Judgement judge_single_vertex_operations(const VertexStudy& s);  // B1
+Judgement judge_valence_changes(const Study& s);                 // B2
+Judgement judge_inverses(const Study& s);                        // B3
+Judgement judge_adjacent_pair(const PairStudy& s);               // A1
+Judgement judge_vertex_steps(const VertexStudy& s);              // A2
+Judgement judge_quadruple(const VertexStudy& s);                 // A3
+Judgement judge_type_changes(const VertexStudy& s);              // A4
 
 }  // namespace requad::verify

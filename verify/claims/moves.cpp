@@ -14,10 +14,10 @@ using theory::Integer;
 
 namespace {
 
-const FoundNode& source(const Study& s, const FoundMove& move) {
+const FoundNode& source(const PairStudy& s, const FoundMove& move) {
   return s.found.nodes[static_cast<std::size_t>(move.from)];
 }
-const FoundNode& destination(const Study& s, const FoundMove& move) {
+const FoundNode& destination(const PairStudy& s, const FoundMove& move) {
   return s.found.nodes[static_cast<std::size_t>(move.to)];
 }
 
@@ -30,8 +30,8 @@ std::vector<Configuration> labellings(const FoundNode& node) {
 
 std::string text(const Configuration& c) { return "(" + std::to_string(c.d1()) + "," + std::to_string(c.d2()) + ")"; }
 
-// Four directions: four moves were tried at each pair, and those that were made are different steps.
-std::string check_four_directions(const Study& s) {
+// Four moves were tried at each pair, and no two of those that were made are the same step.
+std::string check_four_directions(const PairStudy& s) {
   std::vector<int> tried(s.found.nodes.size(), 0);
   std::set<std::vector<Integer>> steps;
   for (const FoundMove& move : s.found.moves) {
@@ -51,7 +51,7 @@ std::string check_four_directions(const Study& s) {
 }
 
 template <class Problem>
-Judgement judge_with_directions(const Study& s, Problem&& problem) {
+Judgement judge_with_directions(const PairStudy& s, Problem&& problem) {
   Judgement j = for_each_move(s, problem);
   if (!j.applies) return j;
   if (const std::string what = check_four_directions(s); !what.empty() && !j.violation)
@@ -61,7 +61,7 @@ Judgement judge_with_directions(const Study& s, Problem&& problem) {
 
 }  // namespace
 
-Judgement judge_distance_kept(const Study& s) {
+Judgement judge_distance_kept(const PairStudy& s) {
   return judge_with_directions(s, [&s](const FoundMove& move) -> std::string {
     const Configuration& from = source(s, move).reading.configuration;
     const Configuration& to = destination(s, move).reading.configuration;
@@ -69,7 +69,7 @@ Judgement judge_distance_kept(const Study& s) {
   });
 }
 
-Judgement judge_distance_changed(const Study& s) {
+Judgement judge_distance_changed(const PairStudy& s) {
   return judge_with_directions(s, [&s](const FoundMove& move) -> std::string {
     const auto by_one = [](Integer a, Integer b) { return a - b == 1 || b - a == 1; };
     for (const Configuration& from : labellings(source(s, move))) {
@@ -85,10 +85,10 @@ Judgement judge_distance_changed(const Study& s) {
   });
 }
 
-// Along a connecting path of length d1 + d2 quads are all created or all deleted; along one whose two legs work against
-// each other, |d1 - d2| remain (Law irregular-11 of mesh/irregular/pair_moves.hpp).
-Judgement judge_faces(const Study& s) {
-  const theory::PairSystem system(s.region.type);
+// Along a connecting path of length d1 + d2 the quads are all created or all deleted. Where the two legs of the path
+// work against each other, |d1 - d2| remain (Law irregular-11 of mesh/irregular/pair_moves.hpp).
+Judgement judge_faces(const PairStudy& s) {
+  const theory::PairSystem& system = s.shape.system();
   return for_each_move(s, [&](const FoundMove& move) -> std::string {
     const FoundNode& from = source(s, move);
     const FoundNode& to = destination(s, move);
@@ -116,9 +116,9 @@ Judgement judge_faces(const Study& s) {
   });
 }
 
-// A move keeps to the smallest convex region that holds both ends: take away every strip that neither end needs, and the
-// same move is made there, by the same number of operations. (Moves never touch the boundary of their region.)
-Judgement judge_locality(const Study& s) {
+// A move keeps to the smallest convex region that holds both ends: take away every strip that neither end needs, and
+// the same move is made there, by the same number of operations. (Moves never touch the boundary of their region.)
+Judgement judge_locality(const PairStudy& s) {
   return for_each_move(s, [&s](const FoundMove& move) -> std::string {
     if (!move.before || !move.after) return "the move's frame has no labelling";
     // The merged configuration is labelled in quadrant 1, whatever quadrant it is left to or reached from.
@@ -136,9 +136,9 @@ Judgement judge_locality(const Study& s) {
       from.parameters.e(i) -= spare;
       to.parameters.e(i) -= spare;
     }
-    const mesh::Region smallest = enumerate::glue_region(s.region.type, from);
-    const std::string target = mesh::signature(enumerate::glue_region(s.region.type, to));
-    for (const mesh::PairMove& candidate : enumerate::moves_of(smallest, enumerate::read(smallest, s.region.type))) {
+    const mesh::Region smallest = enumerate::glue_region(s.shape.type(), from);
+    const std::string target = mesh::signature(enumerate::glue_region(s.shape.type(), to));
+    for (const mesh::PairMove& candidate : enumerate::moves_of(smallest, enumerate::read(smallest, s.shape.type()))) {
       mesh::Region work = smallest;
       const mesh::MoveReport report = mesh::move_pair(work.mesh, candidate);
       if (report.refusal == mesh::Refusal::none && candidate.step == move.move.step &&

@@ -1,5 +1,5 @@
-// Claims about basic and atomic operations (sections 2, 4, 5), by exhausting them on generated neighbourhoods: every
-// operation at every site that leaves the boundary alone.
+// Claims about basic and atomic operations (sections 2, 4, 5). The checks try every operation at every site of
+// generated neighbourhoods, but for those that change the boundary.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr int kLargestNeighbourhood = 60;  // faces; what exhausts pairs of operations takes smaller regions only
 
-// Every legal operation that changes no valence on the boundary, each once: an edge has two flips, a face two collapses
-// (one for each diagonal), two edges at a vertex one split.
+// Every legal operation that changes no valence on the boundary, each once: two flips of each edge, two collapses of
+// each face (one for each diagonal), one split for any two edges at a vertex.
 std::vector<BasicOperation> all_operations(const QuadMesh& m) {
   std::vector<BasicOperation> operations;
   const auto add = [&](const BasicOperation& op) {
@@ -68,11 +68,10 @@ Result performed(const QuadMesh& m, const BasicOperation& op) {
 
 bool is_flip(Kind kind) { return kind == Kind::flip_ccw || kind == Kind::flip_cw; }
 
-// A neighbourhood of one vertex of this valence, two rings of quads deep and more, so that no operation at the vertex
-// comes near the boundary; or null.
-const Region* neighbourhood(const Study& s) {
-  if (s.region.family != Family::single_vertex) return nullptr;
-  for (const Region& region : s.single) {
+// A region with the vertex at least two rings of quads from the boundary, so that no operation at the vertex comes near
+// it; null if there is none.
+const Region* neighbourhood(const VertexStudy& s) {
+  for (const Region& region : s.glued) {
     const auto irregular = mesh::irregular_vertices(region.mesh);
     if (irregular.size() > 1) continue;
     if (irregular.empty()) return &region;
@@ -93,19 +92,18 @@ const Region* neighbourhood(const Study& s) {
   return nullptr;
 }
 
-int valence_of(const Study& s) { return s.region.type.side_count(); }
-
 Judgement violated(const Region& region, std::string what, Judgement j) {
   j.violation = Violation{std::move(what), "", "", region};
   return j;
 }
 
 // Meshes to try single operations on: the neighbourhood, or the first configuration of a small region.
-const Region* sample(const Study& s) {
-  if (const Region* single = neighbourhood(s))
-    return single->mesh.face_count() <= kLargestNeighbourhood ? single : nullptr;
-  if (s.found.nodes.empty() || s.found.nodes[0].region.mesh.face_count() > kLargestNeighbourhood) return nullptr;
-  return &s.found.nodes[0].region;
+const Region* sample(const Study& study) {
+  const Region* region = nullptr;
+  if (const auto* vertex = std::get_if<VertexStudy>(&study)) region = neighbourhood(*vertex);
+  if (const auto* pair = std::get_if<PairStudy>(&study); pair != nullptr && !pair->found.nodes.empty())
+    region = &pair->found.nodes[0].region;
+  return region != nullptr && region->mesh.face_count() <= kLargestNeighbourhood ? region : nullptr;
 }
 
 // How far valences are beyond 3 and 5.
@@ -115,8 +113,8 @@ int excess(const std::multiset<int>& valences) {
   return sum;
 }
 
-// Whether splits, each of which brings the valences nearer to v3s and v5s, lead all the way. The largest step first, going
-// back where it leads nowhere.
+// Whether splits, each of which brings the valences nearer to v3s and v5s, lead all the way. The largest step first,
+// going back where it leads nowhere.
 bool reducible_by_splits(const QuadMesh& m, int now) {
   if (now == 0) return true;
   std::multimap<int, BasicOperation> better;
@@ -132,9 +130,9 @@ bool reducible_by_splits(const QuadMesh& m, int now) {
 
 }  // namespace
 
-Judgement judge_single_vertex_operations(const Study& s) {
+Judgement judge_single_vertex_operations(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
-  if (region == nullptr || valence_of(s) == 4) return not_applicable();
+  if (region == nullptr || s.valence() == 4) return not_applicable();
   Judgement j;
   const VertexId v = mesh::irregular_vertices(region->mesh)[0];
   for (const BasicOperation& op : all_operations(region->mesh)) {
@@ -232,7 +230,7 @@ Judgement judge_inverses(const Study& s) {
   return j;
 }
 
-Judgement judge_adjacent_pair(const Study& s) {
+Judgement judge_adjacent_pair(const PairStudy& s) {
   Judgement j;
   for (std::size_t i = 0; is_quad(s) && i < s.found.nodes.size() && !j.violation; ++i) {
     const auto& node = s.found.nodes[i];
@@ -259,9 +257,9 @@ Judgement judge_adjacent_pair(const Study& s) {
   return j;
 }
 
-Judgement judge_vertex_steps(const Study& s) {
+Judgement judge_vertex_steps(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
-  const int valence = valence_of(s);
+  const int valence = s.valence();
   if (region == nullptr || (valence != 3 && valence != 5)) return not_applicable();
   const QuadMesh& m = region->mesh;
   const VertexId v = mesh::irregular_vertices(m)[0];
@@ -297,9 +295,9 @@ Judgement judge_vertex_steps(const Study& s) {
   return j;
 }
 
-Judgement judge_quadruple(const Study& s) {
+Judgement judge_quadruple(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
-  if (region == nullptr || valence_of(s) != 4) return not_applicable();
+  if (region == nullptr || s.valence() != 4) return not_applicable();
   Judgement j;
   for (const BasicOperation& op : all_operations(region->mesh)) {
     if (!is_flip(op.kind)) continue;
@@ -318,9 +316,9 @@ Judgement judge_quadruple(const Study& s) {
   return j;
 }
 
-Judgement judge_type_changes(const Study& s) {
+Judgement judge_type_changes(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
-  const int valence = valence_of(s);
+  const int valence = s.valence();
   if (region == nullptr || valence == 3 || valence == 4 || valence == 5) return not_applicable();
   Judgement j;
   ++j.checks;

@@ -86,8 +86,8 @@ std::string check_lemma_9(const FoundNode& node) {
   return corners == expected ? "" : std::to_string(corners) + " sides, not 4 - G = " + std::to_string(expected);
 }
 
-// Growing by strips: after each strip the sides obey Law 1; once every side has one the region is convex; in the end it
-// is the glued one, which moves found too.
+// Growing by strips: after each strip the sides obey theory-1; once every side has one the region is convex; in the end
+// it is the glued one, which moves found too.
 std::string check_growth(PairType type, const FoundNode& node) {
   const Configuration& c = node.reading.configuration;
   const theory::PairSystem system(type);
@@ -101,7 +101,7 @@ std::string check_growth(PairType type, const FoundNode& node) {
       const theory::IntegerVector expected = system.side_lengths(partial);
       const std::vector<int> sides = growth.side_lengths();
       if (!std::equal(sides.begin(), sides.end(), expected.begin(), expected.end()))
-        return "a strip gave other sides than Law 1";
+        return "a strip gave other sides than theory-1";
     }
     if (growth.complete()) {
       const Region stage = growth.region(1);
@@ -116,21 +116,21 @@ std::string check_growth(PairType type, const FoundNode& node) {
 
 }  // namespace
 
-Judgement judge_gauss_bonnet(const Study& s) { return for_each_node(s, check_gauss_bonnet); }
+Judgement judge_gauss_bonnet(const PairStudy& s) { return for_each_node(s, check_gauss_bonnet); }
 
-Judgement judge_lemma_8(const Study& s) {
-  return for_each_node(s, [&s](const FoundNode& node) { return check_lemma_8(s.region.type, node); });
+Judgement judge_lemma_8(const PairStudy& s) {
+  return for_each_node(s, [&s](const FoundNode& node) { return check_lemma_8(s.shape.type(), node); });
 }
 
-Judgement judge_lemma_9(const Study& s) { return for_each_node(s, check_lemma_9); }
+Judgement judge_lemma_9(const PairStudy& s) { return for_each_node(s, check_lemma_9); }
 
-Judgement judge_growth(const Study& s) {
-  return for_each_node(s, [&s](const FoundNode& node) { return check_growth(s.region.type, node); });
+Judgement judge_growth(const PairStudy& s) {
+  return for_each_node(s, [&s](const FoundNode& node) { return check_growth(s.shape.type(), node); });
 }
 
 // Distinct configurations have distinct separatrix vectors. The vector is taken up to renaming: the least over the
 // frames and the order of the two vertices.
-Judgement judge_theorem_11(const Study& s) {
+Judgement judge_theorem_11(const PairStudy& s) {
   std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
   Judgement j;
   for (std::size_t i = 0; i < s.found.nodes.size() && !j.violation; ++i) {
@@ -150,7 +150,7 @@ Judgement judge_theorem_11(const Study& s) {
     if (!is_new) {
       j.violation = at_node(s, i,
                             "has the separatrix vector of " +
-                                theory::label(s.region.type, s.found.nodes[other->second].reading.configuration));
+                                theory::label(s.shape.type(), s.found.nodes[other->second].reading.configuration));
     }
   }
   return j;

@@ -1,4 +1,4 @@
-// Claims about couriers that go their own way: round a feature (P4), and to a third irregular vertex (N3).
+// Claims about the transport of an adjacent 3-5 pair: round a feature (P4), and to a third irregular vertex (N3).
 #include <algorithm>
 #include <array>
 #include <set>
@@ -33,7 +33,8 @@ bool holds_edge(const QuadMesh& m, const std::array<VertexId, 2>& edge) {
   return m.is_live(edge[0]) && m.is_live(edge[1]) && m.adjacent(edge[0], edge[1]);
 }
 
-// An edge that a move removes, as far from the pair as there is one: where a feature would be in its way.
+// Of the edges that a move removes, one farthest from the pair; nothing if the move removes none. A feature on it is in
+// the way of the move.
 std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const FoundMove& move) {
   const QuadMesh& m = node.region.mesh;
   QuadMesh after = m;
@@ -53,7 +54,7 @@ std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const
   return best;
 }
 
-// All departures of a courier from one vertex of the pair.
+// All half-edges by which an adjacent pair can leave one vertex of the pair.
 std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
   std::vector<HalfEdgeId> result;
   m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(m.valence(v) == 3 ? h : m.twin(h)); });
@@ -62,11 +63,11 @@ std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
 
 }  // namespace
 
-// Each move is made again with a feature on an edge that the direct way removes. The direct way is then refused;
-// couriers sent in all directions go round or not at all, keep the feature, and make no other configurations than moves
-// make.
-Judgement judge_detour(const Study& s) {
-  if (s.found.nodes.empty() || s.region.sides.sum() > kLargestDetour) return not_applicable();
+// Makes each move again with a feature on an edge that the direct path removes. The direct path is then refused.
+// Adjacent pairs that are transported in all directions go round the feature or not at all; they keep it, and they make
+// no configuration that moves do not make.
+Judgement judge_detour(const PairStudy& s) {
+  if (s.found.nodes.empty() || s.shape.perimeter() > kLargestDetour) return not_applicable();
   Judgement j;
   std::set<std::string> known;
   for (const FoundNode& node : s.found.nodes) known.insert(node.signature);
@@ -83,11 +84,11 @@ Judgement judge_detour(const Study& s) {
     mesh::Editor editor(m, &features);
     if (mesh::move_pair(editor, move.move).refusal == Refusal::none) {
       if (holds_edge(m, *edge)) continue;
-      j.violation = at_move(s, move, "the direct way removes a feature edge");
+      j.violation = at_move(s, move, "the direct path removes a feature edge");
       return j;
     }
     if (!(m == node.region.mesh)) {
-      j.violation = at_move(s, move, "the direct way was refused, and changed the mesh");
+      j.violation = at_move(s, move, "the direct path was refused, and changed the mesh");
       return j;
     }
     mesh::PairTransport transport(editor);
@@ -100,35 +101,36 @@ Judgement judge_detour(const Study& s) {
         const bool kept = holds_edge(m, *edge);
         arrived = arrived || result == s.found.nodes[static_cast<std::size_t>(move.to)].signature;
         editor.roll_back();
-        if (!kept) j.violation = at_move(s, move, "a courier sent round the feature removed it");
+        if (!kept) j.violation = at_move(s, move, "a pair transported round the feature removed it");
         if (known.count(result) == 0)
-          j.violation = at_move(s, move, "a courier sent round a feature made a configuration that no move reaches");
-        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "a courier's way was not taken back");
+          j.violation = at_move(s, move, "the transport round a feature made a configuration that no move reaches");
+        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "the transport was not taken back");
         if (j.violation) return j;
       }
     }
     if (arrived) ++detours;
   }
   if (j.checks > 0)
-    j.row = {{"sides", side_list(s)},
-             {"pair", s.region.type.name()},
+    j.row = {{"sides", side_list(s.shape.sides())},
+             {"pair", s.shape.type().name()},
              {"blocked", j.checks},
              {"made_round_the_feature", detours}};
   j.applies = detours > 0;
   return j;
 }
 
-// Every filling with three irregular vertices: is a v3 cancelled with a v5 by couriers that the third one takes, are
-// two equal ones merged by pair moves; against what the search finds with the valences that would be left.
-Judgement judge_three_vertices(const Study& s) {
-  if (s.region.family != Family::three_vertices || s.fillings.empty()) return not_applicable();
+// Every filling with three irregular vertices. A v3 is cancelled with a v5 by transports that end at the third vertex;
+// two equal vertices are merged by pair moves. Compares the results with what the search finds for the valences that
+// are left.
+Judgement judge_three_vertices(const TripleStudy& s) {
+  if (s.fillings.empty()) return not_applicable();
   Judgement j;
   const auto wrong = [&j](const Region& region, std::string what) {
     j.violation = Violation{std::move(what), "", "", region};
     return j;
   };
-  const auto found = [](const std::optional<std::vector<std::string>>& list, const std::string& signature) {
-    return std::binary_search(list->begin(), list->end(), signature);
+  const auto found = [](const Signatures& list, const std::string& signature) {
+    return std::binary_search(list.begin(), list.end(), signature);
   };
   int cancelled = 0, merged = 0, transports = 0;
   for (const Region& region : s.fillings) {
@@ -157,7 +159,7 @@ Judgement judge_three_vertices(const Study& s) {
         if (done) {
           const std::string signature = signature_of(region, m);
           if (!mesh::validate(m).empty()) return wrong(region, "the operation leaves an invalid mesh");
-          if (!found(la == lb ? s.searched_merged : s.searched, signature))
+          if (!found(la == lb ? s.with_two : s.with_one, signature))
             return wrong(region, "the operation makes a filling that the search does not know");
         }
         editor.roll_back();
@@ -166,18 +168,18 @@ Judgement judge_three_vertices(const Study& s) {
     }
     cancelled += cancels ? 1 : 0;
     merged += merges ? 1 : 0;
-    if (cancels != !s.searched->empty()) {
+    if (cancels != !s.with_one.empty()) {
       return wrong(region, cancels ? "a pair was cancelled, but the search finds no filling with one vertex"
                                    : "the search finds a filling with one vertex, but no pair was cancelled");
     }
   }
-  j.row = {{"sides", side_list(s)},
-           {"irregular", s.region.irregular},
+  j.row = {{"sides", side_list(s.region.sides)},
+           {"irregular", s.region.valences},
            {"fillings", s.fillings.size()},
-           {"with_one_vertex", s.searched->size()},
+           {"with_one_vertex", s.with_one.size()},
            {"cancelled", cancelled},
            {"couriers", transports},
-           {"with_two_vertices", s.searched_merged->size()},
+           {"with_two_vertices", s.with_two.size()},
            {"merged", merged}};
   return j;
 }

@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "enumerate/generators.hpp"
 #include "enumerate/search/search.hpp"
 #include "mesh/topology/signature.hpp"
-#include "theory/joined.hpp"
 
 namespace requad::verify {
-
-const char* name(Family family) {
-  switch (family) {
-    case Family::regular_digon: return "regular digons";
-    case Family::regular_hexagon: return "regular hexagons";
-    case Family::quad: return "3-5 regions";
-    case Family::other_digon: return "non-regular digons";
-    case Family::other_hexagon: return "non-regular hexagons";
-    case Family::single_vertex: return "regions with one irregular vertex";
-    case Family::three_vertices: return "regions with three irregular vertices";
-  }
-  return "";
-}
 
 const char* name(Method method) {
   switch (method) {
@@ -33,20 +20,18 @@ const char* name(Method method) {
   return "";
 }
 
-std::string describe(const RegionCase& region) {
-  const std::string holds = region.family == Family::single_vertex    ? "v" + std::to_string(region.type.side_count())
-                            : region.family == Family::three_vertices ? theory::joined(region.irregular, "-")
-                                                                      : region.type.name();
-  return holds + " region with sides " + theory::joined(region.sides, " ");
+Family family_of(const Study& study) {
+  if (const auto* pair = std::get_if<PairStudy>(&study)) return family_of(PairCase{pair->shape});
+  return std::holds_alternative<VertexStudy>(study) ? Family::single_vertex : Family::three_vertices;
 }
 
-int Study::pairs_predicted() const {
+int PairStudy::pairs_predicted() const {
   if (map.nodes.empty() && walked) return static_cast<int>(walked->predicted);
   return static_cast<int>(std::count_if(map.nodes.begin(), map.nodes.end(),
                                         [](const theory::MapNode& node) { return !node.configuration.merged(); }));
 }
 
-int Study::pairs_found() const {
+int PairStudy::pairs_found() const {
   int count = 0;
   for (std::size_t i = 0; i < found.nodes.size(); ++i) count += found.holds_pair(static_cast<int>(i)) ? 1 : 0;
   return count;
@@ -54,13 +39,12 @@ int Study::pairs_found() const {
 
 namespace {
 
-// All fillings of the region with these irregular valences, sorted by signature.
-std::map<std::string, mesh::Region> filled(const RegionCase& region, std::vector<int> irregular) {
-  const std::vector<int> sides(region.sides.begin(), region.sides.end());
+// All fillings of a boundary with these irregular valences, by signature.
+std::map<std::string, mesh::Region> fillings(const theory::IntegerVector& sides, std::vector<int> irregular) {
   enumerate::SearchLimits limits;
-  limits.threads = 1;  // regions are what runs in parallel
+  limits.threads = 1;  // the campaign runs regions in parallel
   std::map<std::string, mesh::Region> found;
-  enumerate::search(enumerate::search_problem(sides, std::move(irregular)), limits,
+  enumerate::search(enumerate::search_problem({sides.begin(), sides.end()}, std::move(irregular)), limits,
                     [&found](const enumerate::Filling& f) {
                       mesh::Region r = enumerate::region_of(f);
                       std::string signature = mesh::signature(r);
@@ -70,23 +54,42 @@ std::map<std::string, mesh::Region> filled(const RegionCase& region, std::vector
   return found;
 }
 
-std::vector<std::string> fillings(const RegionCase& region, std::vector<int> irregular) {
-  std::vector<std::string> signatures;
-  for (auto& [signature, filling] : filled(region, std::move(irregular))) signatures.push_back(signature);
-  return signatures;
+Signatures signatures(const theory::IntegerVector& sides, std::vector<int> irregular) {
+  Signatures result;
+  for (auto& [signature, filling] : fillings(sides, std::move(irregular))) result.push_back(signature);
+  return result;
 }
 
-// Three vertices, and what they can become.
-void study_three(Study& s) {
-  const std::vector<int>& valences = s.region.irregular;
-  for (auto& [signature, filling] : filled(s.region, valences)) s.fillings.push_back(std::move(filling));
-  s.searched.emplace();
-  s.searched_merged.emplace();
-  const int one = s.region.type.side_count();
-  if (valences.front() == 3 && valences.back() == 5) s.searched = fillings(s.region, {one});
+constexpr int kLongestVertexSearch = 40;  // perimeter; larger regions with one vertex are there for operations only
+
+VertexStudy study_vertex(const VertexCase& region, const std::set<Method>& methods) {
+  VertexStudy s{region.sides, {}, std::nullopt};
+  for (const theory::IntegerVector& e : theory::solve_circulant(s.sides)) s.glued.push_back(enumerate::glue_vertex(e));
+  if (methods.count(Method::search) > 0 && s.sides.sum() <= kLongestVertexSearch) {
+    const int valence = s.valence();
+    s.searched = signatures(s.sides, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
+  }
+  return s;
+}
+
+TripleStudy study_triple(const TripleCase& region, const std::set<Method>& methods) {
+  TripleStudy s{region, {}, {}, {}};
+  if (methods.count(Method::search) == 0) return s;
+  const std::vector<int>& valences = region.valences;
+  for (auto& [signature, filling] : fillings(region.sides, valences)) s.fillings.push_back(std::move(filling));
+  if (valences.front() == 3 && valences.back() == 5)
+    s.with_one = signatures(region.sides, {static_cast<int>(region.sides.size())});
   // Two of the three are equal, the middle one among them.
   const bool low = valences[0] == valences[1];
-  s.searched_merged = fillings(s.region, {2 * valences[1] - 4, low ? valences[2] : valences[0]});
+  s.with_two = signatures(region.sides, {2 * valences[1] - 4, low ? valences[2] : valences[0]});
+  return s;
+}
+
+void add_exploration(PairStudy& s, enumerate::Exploration found) {
+  s.found = std::move(found);
+  for (const enumerate::FoundNode& node : s.found.nodes) {
+    s.predicted_of.push_back(node.reading.problem.empty() ? s.map.find(node.reading.configuration) : -1);
+  }
 }
 
 std::string step_text(const theory::Configuration& from, const theory::Configuration& to) {
@@ -101,45 +104,48 @@ std::string step_text(const theory::Configuration& from, const theory::Configura
 
 }  // namespace
 
-Study study(const RegionCase& region, const std::set<Method>& methods, const enumerate::WalkProgress& progress) {
-  Study s;
-  s.region = region;
+PairStudy study_moves(enumerate::Exploration found) {
+  const theory::RegionShape shape = found.shape;
+  PairStudy s{shape,
+              theory::exact_count(shape),
+              theory::configuration_map(shape, theory::Apex::with),
+              {shape, {}, {}},
+              {},
+              {},
+              {},
+              {}};
+  add_exploration(s, std::move(found));
+  return s;
+}
+
+PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& methods,
+                     const enumerate::WalkProgress& progress) {
+  const theory::PairType type = shape.type();
+  PairStudy s{shape, theory::exact_count(shape), {}, {shape, {}, {}}, {}, {}, {}, {}};
   const bool search = methods.count(Method::search) > 0;
-  if (region.family == Family::three_vertices) {
-    if (search) study_three(s);
-    return s;
-  }
-  if (region.family == Family::single_vertex) {
-    const int valence = region.type.side_count();
-    for (theory::IntegerVector& e : theory::solve_circulant(region.sides)) {
-      s.single.push_back(enumerate::glue_region(region.type, {{0, 0, std::move(e)}, 1}));
-    }
-    // A grid has no irregular vertex; the largest neighbourhoods are for operations only.
-    if (search && region.sides.sum() <= 40)
-      s.searched = fillings(region, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
-    return s;
-  }
-  const theory::RegionShape shape(region.type, region.sides);
-  s.exact_count = theory::exact_count(shape);
+  const bool moves = methods.count(Method::moves) > 0;
   if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(shape, progress);
-  if (!search && methods.count(Method::moves) == 0) return s;
+  if (!search && !moves) return s;
   s.map = theory::configuration_map(shape, theory::Apex::with);
   if (search) {
-    s.searched = fillings(region, {region.type.l1, region.type.l2});
-    if (region.type.symmetric()) s.searched_merged = fillings(region, {region.type.side_count()});
+    s.searched = signatures(shape.sides(), {type.l1, type.l2});
+    if (type.symmetric()) s.searched_merged = signatures(shape.sides(), {type.side_count()});
   }
   // The pair's first configuration; where there is none there is nothing to explore.
   const auto start = std::find_if(s.map.nodes.begin(), s.map.nodes.end(),
                                   [](const theory::MapNode& node) { return !node.configuration.merged(); });
-  if (methods.count(Method::moves) == 0 || start == s.map.nodes.end()) return s;
-  s.found = enumerate::explore(shape, {enumerate::glue_region(region.type, start->configuration)});
-  for (const auto& node : s.found.nodes) {
-    s.predicted_of.push_back(node.reading.problem.empty() ? s.map.find(node.reading.configuration) : -1);
-  }
+  if (!moves || start == s.map.nodes.end()) return s;
+  add_exploration(s, enumerate::explore(shape, {enumerate::glue_region(type, start->configuration)}));
   return s;
 }
 
-theory::ConfigurationMap found_map(const Study& s) {
+Study study(const RegionCase& region, const std::set<Method>& methods, const enumerate::WalkProgress& progress) {
+  if (const auto* vertex = std::get_if<VertexCase>(&region)) return study_vertex(*vertex, methods);
+  if (const auto* triple = std::get_if<TripleCase>(&region)) return study_triple(*triple, methods);
+  return study_pair(std::get<PairCase>(region).shape, methods, progress);
+}
+
+theory::ConfigurationMap found_map(const PairStudy& s) {
   theory::ConfigurationMap map = s.map;
   for (theory::MapNode& node : map.nodes) std::fill(node.moves.begin(), node.moves.end(), theory::Dart{});
   // Which of a node's moves makes the step from one labelling to another.

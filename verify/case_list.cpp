@@ -1,0 +1,117 @@
+#include "verify/case_list.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "theory/counts.hpp"
+
+namespace requad::verify {
+
+namespace {
+
+using theory::Integer;
+using theory::RegionShape;
+
+// Calls visit(sides) for every sequence of k positive integers with this sum that is the least of its rotations.
+template <class Visit>
+void for_each_necklace(int k, Integer sum, Visit&& visit) {
+  std::vector<Integer> sides(static_cast<std::size_t>(k), 1);
+  const auto least_rotation = [&] {
+    for (int shift = 1; shift < k; ++shift) {
+      std::vector<Integer> rotated(sides.begin() + shift, sides.end());
+      rotated.insert(rotated.end(), sides.begin(), sides.begin() + shift);
+      if (rotated < sides) return false;
+    }
+    return true;
+  };
+  const auto fill = [&](auto&& self, std::size_t at, Integer left) -> void {
+    if (at + 1 == sides.size()) {
+      sides[at] = left;
+      if (least_rotation()) visit(sides);
+      return;
+    }
+    for (Integer x = sides.front(); left - x >= static_cast<Integer>(sides.size() - at) - 1; ++x) {
+      sides[at] = x;
+      self(self, at + 1, left - x);
+    }
+  };
+  // The first entry is the least, so the others need not go below it.
+  for (Integer first = 1; first * k <= sum; ++first) {
+    sides[0] = first;
+    if (k == 1) {
+      if (first == sum) visit(sides);
+    } else {
+      fill(fill, 1, sum - first);
+    }
+  }
+}
+
+void add_pair(CaseList& list, RegionShape shape) {
+  // Empty only if both the closed form and the parameter set say so; if they differ, the claim will.
+  if (theory::exact_count(shape) == 0 && theory::parameter_set(shape).empty()) {
+    ++list.empty[family_of(PairCase{shape})];
+  } else {
+    list.cases.push_back(PairCase{std::move(shape)});
+  }
+}
+
+void add_regular(CaseList& list, theory::PairType type, program::Range lengths) {
+  for (Integer length = lengths.first; length <= lengths.last; ++length)
+    add_pair(list, RegionShape::regular(type, length));
+}
+
+void add_by_perimeter(CaseList& list, theory::PairType type, program::Range perimeters, bool with_regular) {
+  for (Integer perimeter = perimeters.first; perimeter <= perimeters.last; ++perimeter) {
+    if (perimeter % 2 != 0) continue;
+    for_each_necklace(type.side_count(), perimeter, [&](const std::vector<Integer>& sides) {
+      RegionShape shape(type, theory::to_vector(sides));
+      if (with_regular || !shape.is_regular()) add_pair(list, std::move(shape));
+    });
+  }
+}
+
+void add_single_vertices(CaseList& list, program::Range perimeters) {
+  for (int valence = 2; valence <= 12; ++valence) {
+    for (const Integer length : {2, 3, 4, 6, 8})
+      list.cases.push_back(VertexCase{theory::IntegerVector::Constant(valence, length)});
+    if (valence == 4 || valence > 9) continue;
+    for (Integer perimeter = perimeters.first; perimeter <= std::min<Integer>(perimeters.last, 20); ++perimeter) {
+      if (perimeter < valence) continue;
+      for_each_necklace(valence, perimeter, [&](const std::vector<Integer>& sides) {
+        list.cases.push_back(VertexCase{theory::to_vector(sides)});
+      });
+    }
+  }
+}
+
+void add_three_vertices(CaseList& list, program::Range perimeters) {
+  // Valences, and the largest perimeter: the number of fillings grows with its fourth power and more.
+  const std::vector<std::pair<std::vector<int>, Integer>> kinds{
+      {{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
+  for (const auto& [valences, largest] : kinds) {
+    const int k = valences[0] + valences[1] + valences[2] - 8;
+    for (Integer perimeter = perimeters.first; perimeter <= std::min(perimeters.last, largest); ++perimeter) {
+      if (perimeter < k || perimeter % 2 != 0) continue;
+      for_each_necklace(k, perimeter, [&, valences = valences](const std::vector<Integer>& sides) {
+        list.cases.push_back(TripleCase{valences, theory::to_vector(sides)});
+      });
+    }
+  }
+}
+
+}  // namespace
+
+CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
+  CaseList list;
+  const auto asked = [&families](Family family) { return families.count(family) > 0; };
+  if (asked(Family::regular_digon)) add_regular(list, theory::kDigon, ranges.digon);
+  if (asked(Family::regular_hexagon)) add_regular(list, theory::kHexagon, ranges.hexagon);
+  if (asked(Family::quad)) add_by_perimeter(list, theory::kQuad, ranges.quad_perimeter, true);
+  if (asked(Family::other_digon)) add_by_perimeter(list, theory::kDigon, ranges.other_perimeter, false);
+  if (asked(Family::other_hexagon)) add_by_perimeter(list, theory::kHexagon, ranges.other_perimeter, false);
+  if (asked(Family::single_vertex)) add_single_vertices(list, ranges.other_perimeter);
+  if (asked(Family::three_vertices)) add_three_vertices(list, ranges.other_perimeter);
+  return list;
+}
+
+}  // namespace requad::verify

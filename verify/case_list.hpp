@@ -1,0 +1,36 @@
+// The regions of a campaign, listed from ranges of sizes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "mesh/program/numbers.hpp"
+#include "verify/studies/region_case.hpp"
+
+namespace requad::verify {
+
+// Sizes of regions. Ranges are inclusive; a range whose last is below its first is empty.
+struct Ranges {
+  program::Range digon{3, 24};    // side length of regular digons
+  program::Range hexagon{3, 12};  // side length of regular hexagons
+  program::Range quad_perimeter{8, 24};
+  program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons, and of regions without a pair
+};
+
+struct CaseList {
+  std::vector<RegionCase> cases;
+  std::map<Family, std::int64_t> empty;  // regions for a pair that have no configuration
+};
+
+// Lists each region once up to rotation of its sides; families in order, then by perimeter, then by sides.
+//   pairs            all regions of the ranges that have a configuration. The others have an empty parameter set and an
+//                    exact count of 0, and are only counted.
+//   single vertices  regular regions of sides 2, 3, 4, 6 and 8 for the valences 2 to 12 (4 is the regular grid); and
+//   all
+//                    regions of other_perimeter up to 20 for the valences 2 to 9 but 4, with a configuration or without
+//   three vertices   all regions of other_perimeter for three v3 or v5, up to perimeter 18 to 22
+CaseList list_cases(const Ranges& ranges, const std::set<Family>& families);
+
+}  // namespace requad::verify

@@ -1,0 +1,88 @@
+// What becomes of a pair in the end: a 3-5 pair cannot be cancelled (N1), an equal one merges or is aligned (N2).
+#include <algorithm>
+
+#include "enumerate/search/search.hpp"
+#include "verify/claims/judging.hpp"
+
+namespace requad::verify {
+
+using enumerate::FoundMove;
+using enumerate::FoundNode;
+using theory::Configuration;
+
+// Cancelling would leave a filling of the same boundary without any irregular vertex: search finds none. The sides of
+// the meshes that moves made are never those of a regular grid.
+Judgement judge_no_cancelling(const PairStudy& s) {
+  Judgement j = for_each_node(s, [](const FoundNode& node) -> std::string {
+    if (node.reading.irregular.size() != 2) return "a move lost the pair";
+    const std::vector<int> e = mesh::side_lengths(node.region);
+    return e[0] == e[2] && e[1] == e[3] ? "opposite sides are equal: a regular grid fits" : "";
+  });
+  if (s.searched) {
+    enumerate::SearchLimits limits;
+    limits.threads = 1;
+    const auto regular =
+        enumerate::search(enumerate::search_problem({s.shape.sides().begin(), s.shape.sides().end()}, {}), limits, {});
+    Requirements(j).that(regular.count == 0, at_region(s, "search finds a filling without irregular vertices"));
+    j.applies = true;
+  }
+  return j;
+}
+
+// Moves reach the merged vertex iff the region has room for one. In a regular region, and in every digon, this is the
+// case iff the graph distance of the pair is even. In a regular region slides alone align the pair.
+Judgement judge_merging(const PairStudy& s) {
+  if (s.found.nodes.empty()) return not_applicable();
+  Judgement j;
+  Requirements required(j);
+  const std::size_t n = s.found.nodes.size();
+  std::vector<std::vector<int>> by_any(n), by_slides(n);
+  for (const FoundMove& move : s.found.moves) {
+    if (move.to < 0) continue;
+    // From the goal back, against the moves. Moves have inverses, but the check does not rely on that.
+    by_any[static_cast<std::size_t>(move.to)].push_back(move.from);
+    const bool slide = move.move.step == mesh::PairStep::slide_first || move.move.step == mesh::PairStep::slide_second;
+    if (slide) by_slides[static_cast<std::size_t>(move.to)].push_back(move.from);
+  }
+  const auto reaching = [n](const std::vector<std::vector<int>>& backwards, std::vector<int> stack) {
+    std::vector<bool> can(n, false);
+    while (!stack.empty()) {
+      const auto node = static_cast<std::size_t>(stack.back());
+      stack.pop_back();
+      if (can[node]) continue;
+      can[node] = true;
+      for (const int from : backwards[node]) stack.push_back(from);
+    }
+    return can;
+  };
+  std::vector<int> merged, aligned;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Configuration& c = s.found.nodes[i].reading.configuration;
+    if (c.merged()) merged.push_back(static_cast<int>(i));
+    if (c.degenerate() && !c.merged()) aligned.push_back(static_cast<int>(i));
+  }
+  const std::vector<bool> can_merge = reaching(by_any, merged);
+  const std::vector<bool> can_align = reaching(by_slides, aligned);
+  const bool room = std::any_of(s.map.nodes.begin(), s.map.nodes.end(),
+                                [](const theory::MapNode& node) { return node.configuration.merged(); });
+  for (std::size_t i = 0; i < n; ++i) {
+    const FoundNode& node = s.found.nodes[i];
+    if (node.reading.configuration.merged()) continue;
+    const int distance = mesh::graph_distance(node.region.mesh, node.reading.irregular[0], node.reading.irregular[1]);
+    required.that(distance == node.reading.configuration.d1() + node.reading.configuration.d2(),
+                  at_node(s, i, "the graph distance " + std::to_string(distance) + " is not d1 + d2"));
+    required.that(
+        can_merge[i] == room,
+        at_node(s, i, can_merge[i] ? "merges where there is no room" : "does not merge though there is room"));
+    if (is_digon(s) || is_regular(s)) {
+      required.that(can_merge[i] == (distance % 2 == 0),
+                    at_node(s, i,
+                            std::string(can_merge[i] ? "merges" : "does not merge") + " at distance " +
+                                std::to_string(distance)));
+    }
+    if (is_regular(s)) required.that(can_align[i], at_node(s, i, "can not be aligned by slides"));
+  }
+  return j;
+}
+
+}  // namespace requad::verify
