@@ -18,7 +18,7 @@ void obj_read_and_write(benchmark::State& state) {
     program::write_text(file.copy(), mesh::obj_text(surface.mesh, surface.positions));
   }
   file.require_same_copy();
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);
 
@@ -26,7 +26,7 @@ BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);
 void obj_read(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(mesh::read_polygon_mesh(file.path()));
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(obj_read)->Apply(sides);
 
@@ -35,7 +35,7 @@ void obj_to_mesh(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::PolygonMesh polygons = mesh::read_polygon_mesh(file.path());
   for (auto _ : state) benchmark::DoNotOptimize(mesh::to_quad_mesh(polygons));
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(obj_to_mesh)->Apply(sides);
 
@@ -44,7 +44,7 @@ void obj_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::Surface surface = mesh::read_surface(file.path(), false);
   for (auto _ : state) program::write_text(file.copy(), mesh::obj_text(surface.mesh, surface.positions));
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(obj_write)->Apply(sides);
 
@@ -53,7 +53,7 @@ void validate_mesh(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const mesh::QuadMesh m = mesh::QuadMesh::from_faces(n * n, torus_faces(n));
   for (auto _ : state) benchmark::DoNotOptimize(mesh::validate(m));
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(validate_mesh)->Apply(sides);
 

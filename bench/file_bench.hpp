@@ -19,7 +19,7 @@ namespace requad::bench {
 inline void sides(benchmark::internal::Benchmark* b) {
   b->ArgName("side")->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);
 }
-inline void count_quads(benchmark::State& state) {
+inline void count_file_quads(benchmark::State& state) {
   const std::int64_t quads = state.range(0) * state.range(0);
   state.SetItemsProcessed(state.iterations() * quads);
   state.SetComplexityN(quads);

@@ -16,21 +16,19 @@ using theory::PairType;
 
 namespace {
 
-using Line = std::vector<int>;  // vertices along a path
-
 void require(PairType type, const Configuration& c) {
   theory::StripParameters p = c.parameters;
-  if (c.merged()) p.d1 = 1;  // the merged vertex is welcome here; check the rest
+  if (c.merged()) p.d1 = 1;  // parameters_problem() would refuse the merged vertex; the rest is checked
   if (const std::string problem = theory::parameters_problem(type, p); !problem.empty())
     throw std::invalid_argument(problem);
-  // The face count must fit a half-edge index; lengths up to kMaxLength alone do not ensure that.
+  // The number of quads must fit a half-edge index. Lengths up to kMaxLength do not ensure that.
   const Integer faces = theory::PairSystem(type).face_count(c.parameters);
   if (faces > 20'000'000)
     throw std::invalid_argument("the region would have " + std::to_string(faces) +
                                 " quads, more than the 20 million that are made here");
 }
 
-// The label of which side 1 of the region is.
+// The label that lies on side 1 of the region.
 int label_of_first_side(PairType type, const Configuration& c) {
   const int k = type.side_count();
   return ((1 - c.p) % k + k) % k + 1;
@@ -47,41 +45,48 @@ Region rooted_at(int vertices, const std::vector<std::array<int, 4>>& faces, int
 // --- growing ---------------------------------------------------------------------------------------------------------
 
 StripGrowth::StripGrowth(PairType type, Integer d1, Integer d2) {
-  const int a = static_cast<int>(d2);  // along v1's first leg
-  const int b = static_cast<int>(d1);
-  std::vector<Line> grid(static_cast<std::size_t>(a) + 1, Line(static_cast<std::size_t>(b) + 1));
-  for (auto& column : grid) {
+  const Core core = make_core(static_cast<int>(d1), static_cast<int>(d2));
+  add_sides(core.to_v1, core.from_v1, type.l1 - 2);
+  add_sides(core.to_v2, core.from_v2, type.l2 - 2);
+  strips_.assign(sides_.size(), 0);
+}
+
+// R_alpha: v1 at column 0, row 0; its first leg along row 0.
+StripGrowth::Core StripGrowth::make_core(int d1, int d2) {
+  std::vector<Line> columns(static_cast<std::size_t>(d2) + 1, Line(static_cast<std::size_t>(d1) + 1));
+  for (Line& column : columns) {
     for (int& v : column) v = new_vertex();
   }
-  for (std::size_t i = 0; i + 1 < grid.size(); ++i) {
-    for (std::size_t j = 0; j + 1 < grid[i].size(); ++j) {
-      faces_.push_back({grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]});
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < columns[i].size(); ++j) {
+      faces_.push_back({columns[i][j], columns[i + 1][j], columns[i + 1][j + 1], columns[i][j + 1]});
     }
   }
-  Line bottom, top;
-  for (const Line& column : grid) {
-    bottom.push_back(column.front());
-    top.push_back(column.back());
+  Core core;
+  for (const Line& column : columns) {
+    core.from_v1.push_back(column.front());
+    core.from_v2.push_back(column.back());
   }
-  Line left = grid.front(), right = grid.back();
-  std::reverse(left.begin(), left.end());
-  std::reverse(top.begin(), top.end());
-  // Counter-clockwise: down the second leg of v1 to v1, along its first leg; then the same at v2. The first and the last
-  // outward separatrix of a vertex cross the side along its second and first leg, those between cross a side of length 0.
-  const auto add_sides = [this](const Line& second_leg, const Line& first_leg, int outward) {
-    if (outward == 1) {
-      Line both = second_leg;
-      both.insert(both.end(), first_leg.begin() + 1, first_leg.end());
-      sides_.push_back(both);
-      return;
-    }
-    sides_.push_back(second_leg);
-    for (int i = 2; i < outward; ++i) sides_.push_back({first_leg.front()});
-    sides_.push_back(first_leg);
-  };
-  add_sides(left, bottom, type.l1 - 2);
-  add_sides(right, top, type.l2 - 2);
-  strips_.assign(sides_.size(), 0);
+  std::reverse(core.from_v2.begin(), core.from_v2.end());
+  core.to_v2 = columns.back();
+  core.to_v1 = columns.front();
+  std::reverse(core.to_v1.begin(), core.to_v1.end());
+  return core;
+}
+
+// Appends the sides that a vertex's outward separatrices cross: counter-clockwise down its second leg to the vertex, and
+// along its first leg. The first and the last separatrix cross the sides along the second and the first leg; those between
+// cross a side of length 0. A lone separatrix crosses one side along both.
+void StripGrowth::add_sides(const Line& second_leg, const Line& first_leg, int outward) {
+  if (outward == 1) {
+    Line both = second_leg;
+    both.insert(both.end(), first_leg.begin() + 1, first_leg.end());
+    sides_.push_back(both);
+    return;
+  }
+  sides_.push_back(second_leg);
+  for (int i = 2; i < outward; ++i) sides_.push_back({first_leg.front()});
+  sides_.push_back(first_leg);
 }
 
 void StripGrowth::add_strip(int label) {
@@ -128,34 +133,35 @@ Region grow_region(PairType type, const Configuration& c) {
 
 namespace {
 
+using Line = std::vector<int>;  // the vertices along a path
+
 class Gluing {
  public:
   Gluing(PairType type, const Configuration& c)
-      : type_(type), c_(c), corners_(static_cast<std::size_t>(type.side_count())) {}
+      : c_(c),
+        outward1_(type.l1 - 2),
+        outward2_(type.l2 - 2),
+        label_of_first_side_(enumerate::label_of_first_side(type, c)),
+        corners_(static_cast<std::size_t>(type.side_count())) {}
 
   Region build() {
-    const int outward1 = type_.l1 - 2;
-    const int outward2 = type_.l2 - 2;
-    const Integer a = c_.d2();
-    const Integer b = c_.d1();
-    // R_alpha: v1 -> x and y -> v2 along the first leg's direction, v1 -> y and x -> v2 along the second's.
+    // R_alpha has the corners v1, x, v2, y, counter-clockwise.
     const int v1 = new_vertex();
-    const Line v1_x = line_from(v1, a);
-    const Line v1_y = line_from(v1, b);
-    const std::vector<Line> core = rectangle(v1_x, v1_y, {});
-    Line y_v2, x_v2;
-    for (const Line& column : core) y_v2.push_back(column.back());
-    x_v2 = core.back();
-    const int v2 = x_v2.back();
+    const Line v1_x = line_from(v1, c_.d2());  // the first leg of v1
+    const Line v1_y = line_from(v1, c_.d1());  // the second
+    const std::vector<Line> columns = rectangle(v1_x, v1_y, {});
+    const Line& x_v2 = columns.back();
+    Line y_v2;
+    for (const Line& column : columns) y_v2.push_back(column.back());
 
-    for (int i = 0; i < outward1; ++i) rays_.push_back(line_from(v1, c_.parameters.e(i)));
-    for (int i = 0; i < outward2; ++i) rays_.push_back(line_from(v2, c_.parameters.e(outward1 + i)));
-    for (int i = 0; i + 1 < outward1; ++i) between_outward(i);
-    for (int i = 0; i + 1 < outward2; ++i) between_outward(outward1 + i);
-    round_corner(outward1 - 1, outward1, v1_x, x_v2);
-    round_corner(outward1 + outward2 - 1, 0, reversed(y_v2), reversed(v1_y));
+    add_rays(v1, outward1_);
+    add_rays(x_v2.back(), outward2_);
+    for (int i = 0; i + 1 < outward1_; ++i) fill_between_rays(i);
+    for (int i = 0; i + 1 < outward2_; ++i) fill_between_rays(outward1_ + i);
+    fill_round_corner(outward1_ - 1, outward1_, v1_x, x_v2);
+    fill_round_corner(outward1_ + outward2_ - 1, 0, reversed(y_v2), reversed(v1_y));
 
-    const int first = label_of_first_side(type_, c_) - 1;
+    const int first = label_of_first_side_ - 1;
     const std::size_t k = corners_.size();
     return rooted_at(vertices_, faces_, corners_[(static_cast<std::size_t>(first) + k - 1) % k]);
   }
@@ -167,13 +173,17 @@ class Gluing {
     for (Integer i = 0; i < length; ++i) line.push_back(new_vertex());
     return line;
   }
+  // The next outward separatrices, so many of them, start from v.
+  void add_rays(int v, int count) {
+    for (int i = 0; i < count; ++i) rays_.push_back(line_from(v, c_.parameters.e(static_cast<int>(rays_.size()))));
+  }
   static Line reversed(Line line) {
     std::reverse(line.begin(), line.end());
     return line;
   }
 
-  // A rectangle from its lower line, its left line (which starts at the same vertex, counter-clockwise of the lower one)
-  // and, if given, its upper line. All other vertices are new. Columns of vertices, left to right.
+  // Makes a rectangle and returns its columns of vertices, left to right. The lower and the left line start at the same
+  // vertex, the left one counter-clockwise of the lower one. If `upper` is empty, its vertices are new, as are all others.
   std::vector<Line> rectangle(const Line& lower, const Line& left, const Line& upper) {
     std::vector<Line> grid(lower.size(), Line(left.size()));
     for (std::size_t i = 0; i < lower.size(); ++i) {
@@ -193,19 +203,19 @@ class Gluing {
     return grid;
   }
 
-  // Between consecutive outward separatrices of one vertex.
-  void between_outward(int i) {
+  // The rectangle between two consecutive outward separatrices of one vertex.
+  void fill_between_rays(int i) {
     const auto at = static_cast<std::size_t>(i);
     corners_[at] = rectangle(rays_[at], rays_[at + 1], {}).back().back();
   }
 
-  // From the last outward separatrix of one vertex round a corner z of R_alpha to the first one of the other vertex:
-  // along the first vertex's first leg to z, and along the other's second leg from z.
-  void round_corner(int last, int first, const Line& to_z, const Line& from_z) {
+  // The three rectangles round a corner z of R_alpha, from the last outward separatrix of one vertex to the first one of
+  // the other: `to_z` is the one vertex's first leg, `from_z` the other's second leg, backwards.
+  void fill_round_corner(int last, int first, const Line& to_z, const Line& from_z) {
     const Line& ray_last = rays_[static_cast<std::size_t>(last)];
     const Line& ray_first = rays_[static_cast<std::size_t>(first)];
     const int z = to_z.back();
-    // The legs continued beyond z. A leg of length zero makes z the vertex itself, and the line one of its separatrices.
+    // The legs continued beyond z. If a leg has length 0, then z is its vertex, and the continuation one of its rays.
     const Line along_last = to_z.size() == 1 ? ray_last : line_from(z, static_cast<Integer>(ray_last.size()) - 1);
     const Line along_first = from_z.size() == 1 ? ray_first : line_from(z, static_cast<Integer>(ray_first.size()) - 1);
     if (to_z.size() > 1) rectangle(ray_last, to_z, along_last);
@@ -213,12 +223,14 @@ class Gluing {
     corners_[static_cast<std::size_t>(last)] = rectangle(along_last, along_first, {}).back().back();
   }
 
-  PairType type_;
   const Configuration& c_;
+  const int outward1_;  // how many outward separatrices v1 has
+  const int outward2_;
+  const int label_of_first_side_;
   int vertices_ = 0;
   std::vector<std::array<int, 4>> faces_;
-  std::vector<Line> rays_;    // outward separatrices, by label - 1
-  std::vector<int> corners_;  // between side i and side i + 1, by label - 1
+  std::vector<Line> rays_;    // the outward separatrices, by label - 1
+  std::vector<int> corners_;  // between side i and side i + 1, by label i - 1
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Reading a configuration's parameters off a mesh: where the separatrices run and which sides they meet. Nothing is
-// carried along from how the mesh was made.
+// The parameters of a configuration, read off a mesh: where the separatrices of its pair run, and which sides they meet.
+// Nothing is carried along from how the mesh was made.
 #pragma once
 
 #include <optional>
@@ -12,31 +12,30 @@
 
 namespace requad::enumerate {
 
-// One frame of the pair with the labelling it gives. The labelling has p in 1..k/2 for equal valences, 1..k otherwise;
-// it is not made canonical: a segment has two.
-struct LabelledFrame {
-  mesh::PairFrame frame;
-  theory::Configuration labelling;
-};
-
-// Reads the labelling of a frame: extents are d1 = b, d2 = a; outward separatrix i has length e_i and must meet side
-// i + p - 1. Nothing if a separatrix ends elsewhere, which Lemmas 7.12-7.14 exclude. `positions` is
-// mesh::boundary_positions(region). O(d1 + d2 + sum of e_i).
+// The labelling that a frame gives: outward separatrix i, of length e_i, meets side i + p - 1 of the region. p is in
+// 1..k/2 for equal valences, which may swap v1 and v2, and in 1..k otherwise. Nothing if a separatrix ends elsewhere,
+// which Lemmas 7.12-7.14 exclude. `positions` is mesh::boundary_positions(region). O(d1 + d2 + sum of the e_i).
 std::optional<theory::Configuration> labelling_of(const mesh::Region& region,
                                                   const std::vector<mesh::BoundaryPosition>& positions,
                                                   theory::PairType type, const mesh::PairFrame& frame);
 
-// What the region holds, found by looking at all of it: the irregular vertices, their frames and labellings.
+struct LabelledFrame {
+  mesh::PairFrame frame;
+  theory::Configuration labelling;  // as labelling_of() gives it; not canonical, since a segment has two frames
+};
+
+// What a region holds.
 struct Reading {
   std::vector<mesh::VertexId> irregular;
-  std::vector<LabelledFrame> frames;    // of the pair, or one with a = b = 0 for a merged vertex
+  std::vector<LabelledFrame> frames;    // of the pair; of a merged vertex one with d1 = d2 = 0
   theory::Configuration configuration;  // canonical
   std::string problem;                  // "" if the region holds one pair of this type, or one merged vertex
 };
+// Looks at all of the region. Precondition: region_problem(region) is "". O(V).
 Reading read(const mesh::Region& region, theory::PairType type);
 
-// Theorem 7.11's vector: for each separatrix of each irregular vertex, counter-clockwise from its first leg, the side
-// and distance from the side's start where it meets the boundary; {-1,-1} where it ends at the other vertex.
+// The vector of Theorem 7.11: for each separatrix of v1, then of v2, counter-clockwise from the first leg, where it meets
+// the boundary. {-1, -1} stands for a separatrix that ends at the other vertex. O(V).
 std::vector<mesh::BoundaryPosition> separatrix_vector(const mesh::Region& region, const mesh::PairFrame& frame);
 
 }  // namespace requad::enumerate

@@ -19,7 +19,7 @@ namespace {
 
 using enumerate::AttributedGraph;
 
-constexpr double kUnit = 62;  // points between neighbours of the grid
+constexpr double kPointsPerStep = 62;  // points between neighbours of the grid
 
 std::string decimals(double x) {
   std::array<char, 32> buffer;
@@ -86,8 +86,9 @@ void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
   const auto colour = [&figure](const GridNode& n) {
     return to_hex(figure.grids[static_cast<std::size_t>(n.grid)].colour());
   };
-  graph.at_nodes["pos"] =
-      at_nodes([](const GridNode& n) { return decimals(n.at[0] * kUnit) + "," + decimals(n.at[1] * kUnit) + "!"; });
+  graph.at_nodes["pos"] = at_nodes([](const GridNode& n) {
+    return decimals(n.at[0] * kPointsPerStep) + "," + decimals(n.at[1] * kPointsPerStep) + "!";
+  });
   graph.at_nodes["shape"] = all_nodes("ellipse");
   graph.at_nodes["fixedsize"] = all_nodes("true");
   graph.at_nodes["width"] = all_nodes("0.62");

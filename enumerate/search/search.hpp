@@ -8,7 +8,8 @@
 //   hole      the part of a boundary's inside that has no quads yet. The search starts with one hole and fills it quad by
 //             quad.
 //
-// Law enumerate-1   search() produces every filling precisely once up to isomorphism that fixes every boundary vertex.
+// Law enumerate-4   search() produces every filling precisely once up to isomorphism that fixes every boundary vertex.
+//
 // Degenerate cases are answered, not refused: an odd boundary, or one whose turns do not fit the budget, has no filling.
 // If a limit was reached, the outcome is incomplete, and its count is a lower bound.
 //

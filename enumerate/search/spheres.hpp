@@ -1,8 +1,9 @@
 // Exhaustive search for closed spheres.
 //
-// Contract. search_spheres() produces every simple quadrangulation of the sphere whose irregular vertices have exactly the
-// given valences, up to a given number of vertices V = faces + 2, precisely once up to isomorphism. A sphere is
-// represented by its canonical signature. The smallest sphere is two quads with one boundary (four v2s, V = 4).
+// Law enumerate-5   search_spheres() produces every simple quadrangulation of the sphere whose irregular vertices have
+//                   exactly the given valences, up to a given number of vertices, precisely once up to isomorphism.
+// The number of vertices is V = faces + 2. A sphere is represented by its canonical signature. The smallest one is two
+// quads with a common boundary (four v2s, V = 4).
 //
 // How. Each sphere is cut open at one quad of a vertex whose irregular valence is the rarest; the rest is a hole for
 // search.hpp's method. A sphere is met once for each such quad, up to its symmetries, and told from the others by its

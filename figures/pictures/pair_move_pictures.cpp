@@ -5,7 +5,9 @@
 #include <string>
 
 #include "figures/pictures/sheet.hpp"
+#include "mesh/editing/editor.hpp"
 #include "mesh/irregular/pair_moves.hpp"
+#include "mesh/irregular/transport.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 

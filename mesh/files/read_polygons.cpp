@@ -20,9 +20,8 @@ bool has_repetition(std::span<const int> face) {
     }
     return false;
   }
-  std::vector<int> sorted(face.begin(), face.end());
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  const std::set<int> different(face.begin(), face.end());
+  return different.size() != face.size();
 }
 
 // Checks what can be checked only when the whole file is read.

@@ -14,8 +14,9 @@ namespace requad::threads {
 
 namespace {
 
-// ThreadSanitizer can not see that oneTBB, which is not built with it, starts tasks after what came before and ends them
-// before what follows: it is told here, in the one source that is not looked at. Races between tasks are found.
+// ThreadSanitizer cannot see that oneTBB, which is not compiled for it, starts tasks after what comes before the call, and
+// ends them before the call returns. This tells it so, in the one source that is not compiled for it either. It still finds
+// races between tasks.
 struct Order {
 #ifdef REQUAD_THREAD_SANITIZER
   void release() { __tsan_release(this); }
@@ -50,7 +51,7 @@ void run_on_threads(std::size_t count, int threads, const std::function<void(std
           try {
             task(i);
           } catch (...) {
-            next.store(count, std::memory_order_relaxed);  // what the others have not begun, nobody needs
+            next.store(count, std::memory_order_relaxed);  // no further tasks start
             throw;
           }
         }

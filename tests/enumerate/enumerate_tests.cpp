@@ -15,7 +15,7 @@ using namespace requad;
 using namespace requad::enumerate;
 using requad::tests::sides;
 
-TEST_CASE("three generators agree rel boundary", "[generators]") {
+TEST_CASE("enumerate-1: three generators agree rel boundary", "[generators]") {
   for (const tests::CensusEntry& entry : tests::census(18, true)) {
     INFO(entry.shape.type().name() << " " << theory::label(entry.shape.type(), entry.configuration));
     REQUIRE(mesh::validate(entry.region.mesh).empty());

@@ -194,7 +194,7 @@ TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and bud
   }
 }
 
-TEST_CASE("search against flips and splits: small regions by brute force", "[search]") {
+TEST_CASE("enumerate-4: search against flips and splits: small regions by brute force", "[search]") {
   // Splits and flips make all quadrangulations of a polygon (Brown's number says that none is missing), corners or none
   // on its boundary. Sorted by boundary and valences, they are what search finds, for each budget that occurs.
   std::set<std::vector<int>> budgets;
@@ -345,7 +345,7 @@ TEST_CASE("closed spheres", "[search]") {
   CHECK_THROWS_AS(search_spheres({3, 3, 3}, 10, {}), std::invalid_argument);
 }
 
-TEST_CASE("all quadrangulations of the sphere without valence 2", "[search]") {
+TEST_CASE("enumerate-5: all quadrangulations of the sphere without valence 2", "[search]") {
   // OEIS A078666: 1, 0, 1, 1, 3, 3, 12 with V = 8..14 vertices, mirror images as one. Here as the sum over all budgets.
   const std::vector<std::int64_t> expected{1, 0, 1, 1, 3, 3, 12};
   for (int v = 8; v <= 14; ++v) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "enumerate/search/search.hpp"
+#include "mesh/topology/distances.hpp"
 #include "verify/claims/judging.hpp"
 
 namespace requad::verify {
