@@ -88,7 +88,7 @@ PairType parse_shape(const std::string& text) {
 Configuration find_configuration(const RegionShape& shape, const std::string& text, const char* option) {
   const PairType type = shape.type();
   const std::vector<std::int64_t> at = program::parse_integers(text, option);
-  const bool third = type.symmetric() && type.rotation_count() > 1;
+  const bool third = type.has_third_index();
   const bool merged = type.symmetric() && at.size() >= 2 && at[0] == 0 && at[1] == 0;
   if (at.size() != (third ? 3U : 2U) && !(merged && at.size() == 2)) {
     throw UsageError(std::string(option) + ": '" + text + "' is not of the form " +
