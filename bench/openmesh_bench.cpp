@@ -135,7 +135,7 @@ void openmesh_read_and_write(benchmark::State& state) {
     faces = mesh.n_faces();
   }
   require(faces == static_cast<std::size_t>(state.range(0) * state.range(0)), "OpenMesh lacks faces");
-  count_quads(state);
+  count_file_quads(state);
 }
 BENCHMARK(openmesh_read_and_write)->Name("obj_read_and_write/openmesh")->Apply(sides);
 

@@ -1,11 +1,11 @@
 #include "enumerate/exploration.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
@@ -13,46 +13,108 @@
 namespace requad::enumerate {
 
 using mesh::PairMove;
+using mesh::Refusal;
 using mesh::Region;
 using theory::PairType;
 
 namespace {
 
+std::size_t slot(int i) { return static_cast<std::size_t>(i); }
+
 std::optional<theory::Configuration> labelling(const Region& region, PairType type, const mesh::PairFrame& frame) {
-  if (frame.v1 == frame.v2) return read(region, type).configuration;
+  if (frame.merged()) return read(region, type).configuration;
   return labelling_of(region, mesh::boundary_positions(region), type, frame);
 }
 
-// Every move of one node; new configurations become nodes by node_index.
-void explore_node(Exploration& found, std::size_t i, const std::function<int(const Region&)>& node_index) {
-  const PairType type = found.shape.type();
-  if (!found.nodes[i].reading.problem.empty()) return;  // the caller sees the problem; there is nothing to move
-  for (const PairMove& move : moves_of(found.nodes[i].region, found.nodes[i].reading)) {
-    FoundMove result;
-    result.from = static_cast<int>(i);
-    result.move = move;
-    const Region& before = found.nodes[i].region;
-    result.before = labelling(before, type, move.frame);
-    Region work = before;
-    mesh::MoveReport report = mesh::move_pair(work.mesh, move);
-    result.refusal = report.refusal;
-    if (report.refusal != mesh::Refusal::none) {
-      result.refused_unchanged = work.mesh == before.mesh;
-      found.moves.push_back(std::move(result));
-      continue;
-    }
-    result.operations = static_cast<int>(report.operations.size());
-    result.faces_made = report.faces_made();
-    result.faces_deleted = report.faces_deleted();
-    result.after = labelling(work, type, report.inverse.frame);
-    Region back = work;
-    result.inverse_returns = mesh::move_pair(back.mesh, report.inverse).refusal == mesh::Refusal::none &&
-                             mesh::signature(back) == found.nodes[i].signature;
-    Region undone = work;
-    result.restored = mesh::apply_all(undone.mesh, report.undo) == mesh::Refusal::none && undone.mesh == before.mesh;
-    result.script = std::move(report.operations);
-    result.to = node_index(work);  // may move found.nodes: no reference into it is used from here on
-    found.moves.push_back(std::move(result));
+class Explorer {
+ public:
+  explicit Explorer(const theory::RegionShape& shape) : found_{shape, {}, {}} {}
+
+  void explore_from(const Region& start) {
+    node_of(start);
+    while (explored_ < found_.nodes.size()) try_all_moves(explored_++);
+  }
+
+  Exploration found() && { return std::move(found_); }
+
+ private:
+  PairType type() const { return found_.shape.type(); }
+  int node_of(const Region& region);
+  void try_all_moves(std::size_t node);
+  FoundMove try_move(const FoundNode& node, const PairMove& move, Region& work) const;
+  void record_made(const FoundNode& node, const Region& after, mesh::MoveReport& report, FoundMove& result) const;
+
+  Exploration found_;
+  std::unordered_map<std::string, int> index_;  // of the nodes, by signature
+  std::size_t explored_ = 0;                    // the moves of the nodes before this one have been tried
+};
+
+// The node with this region's signature; a new one if there is none.
+int Explorer::node_of(const Region& region) {
+  const auto [it, is_new] = index_.emplace(mesh::signature(region), static_cast<int>(found_.nodes.size()));
+  if (is_new) found_.nodes.push_back({region, it->first, read(region, type())});
+  return it->second;
+}
+
+void Explorer::try_all_moves(std::size_t node) {
+  if (!found_.nodes[node].reading.problem.empty()) return;  // the caller sees the problem; there is nothing to move
+  for (const PairMove& move : moves_of(found_.nodes[node].region, found_.nodes[node].reading)) {
+    Region work = found_.nodes[node].region;
+    FoundMove result = try_move(found_.nodes[node], move, work);
+    result.from = static_cast<int>(node);
+    if (result.refusal == Refusal::none) result.to = node_of(work);
+    found_.moves.push_back(std::move(result));
+  }
+}
+
+// Makes the move on `work`, a copy of the node's region.
+FoundMove Explorer::try_move(const FoundNode& node, const PairMove& move, Region& work) const {
+  FoundMove result;
+  result.move = move;
+  result.before = labelling(node.region, type(), move.frame);
+  mesh::MoveReport report = mesh::move_pair(work.mesh, move);
+  result.refusal = report.refusal;
+  if (report.refusal == Refusal::none) {
+    record_made(node, work, report, result);
+  } else {
+    result.refused_unchanged = work.mesh == node.region.mesh;
+  }
+  return result;
+}
+
+void Explorer::record_made(const FoundNode& node, const Region& after, mesh::MoveReport& report,
+                           FoundMove& result) const {
+  result.operations = static_cast<int>(report.operations.size());
+  result.faces_made = report.faces_made();
+  result.faces_deleted = report.faces_deleted();
+  result.after = labelling(after, type(), report.inverse.frame);
+  Region back = after;
+  result.inverse_returns =
+      mesh::move_pair(back.mesh, report.inverse).refusal == Refusal::none && mesh::signature(back) == node.signature;
+  Region undone = after;
+  result.restored = mesh::apply_all(undone.mesh, report.undo) == Refusal::none && undone.mesh == node.region.mesh;
+  result.script = std::move(report.operations);
+}
+
+// Puts the nodes in the order of their configurations, the merged ones last.
+void sort_nodes(Exploration& found) {
+  std::vector<int> order(found.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&found](int a, int b) {
+    const auto& x = found.nodes[slot(a)].reading.configuration;
+    const auto& y = found.nodes[slot(b)].reading.configuration;
+    return x.merged() != y.merged() ? y.merged() : x < y;
+  });
+  std::vector<int> rank(order.size());
+  std::vector<FoundNode> nodes;
+  for (const int node : order) {
+    rank[slot(node)] = static_cast<int>(nodes.size());
+    nodes.push_back(std::move(found.nodes[slot(node)]));
+  }
+  found.nodes = std::move(nodes);
+  for (FoundMove& move : found.moves) {
+    move.from = rank[slot(move.from)];
+    if (move.to >= 0) move.to = rank[slot(move.to)];
   }
 }
 
@@ -64,49 +126,10 @@ std::vector<PairMove> moves_of(const Region& region, const Reading& reading) {
 }
 
 Exploration explore(const theory::RegionShape& shape, const std::vector<Region>& starts) {
-  Exploration found{shape, {}, {}};
-  std::unordered_map<std::string, int> index;
-  const auto node_index = [&](const Region& region) {
-    const auto [it, is_new] = index.emplace(mesh::signature(region), static_cast<int>(found.nodes.size()));
-    if (is_new) found.nodes.push_back({region, it->first, read(region, shape.type())});
-    return it->second;
-  };
-  std::size_t i = 0;  // nodes before i are explored
-  const auto explore_new_nodes = [&] {
-    for (; i < found.nodes.size(); ++i) explore_node(found, i, node_index);
-  };
-  for (const Region& start : starts) {
-    node_index(start);
-    explore_new_nodes();
-  }
-  return found;
+  Explorer explorer(shape);
+  for (const Region& start : starts) explorer.explore_from(start);
+  return std::move(explorer).found();
 }
-
-namespace {
-
-// Nodes in the order of their configurations, the merged ones last.
-void sort_nodes(Exploration& found) {
-  std::vector<int> order(found.nodes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&found](int a, int b) {
-    const auto& x = found.nodes[static_cast<std::size_t>(a)].reading.configuration;
-    const auto& y = found.nodes[static_cast<std::size_t>(b)].reading.configuration;
-    return x.merged() != y.merged() ? y.merged() : x < y;
-  });
-  std::vector<int> place(order.size());
-  std::vector<FoundNode> nodes;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    nodes.push_back(std::move(found.nodes[static_cast<std::size_t>(order[i])]));
-  }
-  found.nodes = std::move(nodes);
-  for (FoundMove& move : found.moves) {
-    move.from = place[static_cast<std::size_t>(move.from)];
-    if (move.to >= 0) move.to = place[static_cast<std::size_t>(move.to)];
-  }
-}
-
-}  // namespace
 
 Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex) {
   std::vector<Region> starts;
@@ -119,35 +142,46 @@ Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex) {
   return found;
 }
 
+// --- the graph -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// The number of moves made from one graph vertex to another, by both. `vertex_of` has the graph vertex of each node; -1
+// where it is left out.
+std::map<std::pair<int, int>, int> count_moves(const Exploration& found, const std::vector<int>& vertex_of) {
+  std::map<std::pair<int, int>, int> count;
+  for (const FoundMove& move : found.moves) {
+    if (move.to < 0) continue;
+    const int from = vertex_of[slot(move.from)];
+    const int to = vertex_of[slot(move.to)];
+    if (from >= 0 && to >= 0) ++count[{from, to}];
+  }
+  return count;
+}
+
+}  // namespace
+
 theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex, std::vector<int>* node_of) {
-  std::vector<int> vertex(found.nodes.size(), -1);
+  std::vector<int> vertex_of(found.nodes.size(), -1);
   std::vector<int> nodes;
   for (std::size_t i = 0; i < found.nodes.size(); ++i) {
     if (apex == theory::Apex::without && !found.holds_pair(static_cast<int>(i))) continue;
-    vertex[i] = static_cast<int>(nodes.size());
+    vertex_of[i] = static_cast<int>(nodes.size());
     nodes.push_back(static_cast<int>(i));
   }
   theory::ConfigurationGraph graph(nodes.size());
   for (std::size_t v = 0; v < nodes.size(); ++v) {
-    graph[v].configuration = found.nodes[static_cast<std::size_t>(nodes[v])].reading.configuration;
+    graph[v].configuration = found.nodes[slot(nodes[v])].reading.configuration;
   }
-  std::map<std::pair<int, int>, int> count;
-  for (const FoundMove& move : found.moves) {
-    if (move.to < 0 || vertex[static_cast<std::size_t>(move.from)] < 0 || vertex[static_cast<std::size_t>(move.to)] < 0)
-      continue;
-    ++count[{vertex[static_cast<std::size_t>(move.from)], vertex[static_cast<std::size_t>(move.to)]}];
-  }
-  for (const auto& [ends, number] : count) {
+  const auto count = count_moves(found, vertex_of);
+  for (const auto& [ends, moves] : count) {
     const auto [from, to] = ends;
     if (from > to) continue;
     const auto back = count.find({to, from});
-    if (from != to && (back == count.end() || back->second != number)) {
+    if (back == count.end() || back->second != moves)
       throw std::logic_error("moves between two configurations do not pair up");
-    }
-    if (from == to && number % 2 != 0) throw std::logic_error("moves of a configuration to itself do not pair up");
-    for (int i = 0; i < (from == to ? number / 2 : number); ++i) {
-      boost::add_edge(static_cast<std::size_t>(from), static_cast<std::size_t>(to), graph);
-    }
+    if (from == to && moves % 2 != 0) throw std::logic_error("moves of a configuration to itself do not pair up");
+    for (int i = 0; i < (from == to ? moves / 2 : moves); ++i) add_edge(slot(from), slot(to), graph);
   }
   if (node_of != nullptr) *node_of = std::move(nodes);
   return graph;

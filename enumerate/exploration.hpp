@@ -1,8 +1,11 @@
-// Exhaustive exploration: from one configuration, every pair move until nothing new is found.
+// Exhaustive exploration: every configuration that pair moves reach from given regions.
 //
-// Contract. explore() produces every configuration that pair moves reach from the starts, precisely once up to
-// isomorphism rel boundary (equal signatures from the root), the merged configurations that lie on the way included. At
-// each it tries every move that pair_moves() or parting_moves() lists. Labels are read off each mesh (labels.hpp).
+// Law enumerate-2   explore() finds every configuration that pair moves reach from the starts, precisely once up to
+//                   isomorphism rel boundary: equal signatures from the root.
+//
+// Merged configurations on the way are included. A configuration is represented by the mesh on which it was reached first.
+// At each one explore() tries every move that mesh::pair_moves() or mesh::parting_moves() lists. Labels are read off each
+// mesh (labels.hpp). A start whose pair has no room to move is the only configuration that is found from it.
 #pragma once
 
 #include <optional>
@@ -25,19 +28,19 @@ struct FoundMove {
   int from = -1;
   int to = -1;                                  // -1: refused
   mesh::PairMove move;                          // on nodes[from].region
-  std::optional<theory::Configuration> before;  // the labelling of move.frame; nothing if it can not be read
+  std::optional<theory::Configuration> before;  // the labelling of move.frame; nothing if it cannot be read
   std::optional<theory::Configuration> after;   // the labelling of the frame that the move reports; nothing if refused
   mesh::Refusal refusal = mesh::Refusal::none;
   int operations = 0;
   int faces_made = 0;
   int faces_deleted = 0;
   bool restored = true;           // the reported undo gave back the very same arrays
-  bool inverse_returns = true;    // the reported inverse move, made on the result, gave the start's signature
-  bool refused_unchanged = true;  // a refused move left the very same arrays
+  bool inverse_returns = true;    // the reported inverse move, made on the result, gave the signature of `from`
+  bool refused_unchanged = true;  // the refused move left the very same arrays
   std::vector<mesh::BasicOperation> script;
 };
 
-// The moves that the pair, or the merged vertex, of a region could make if there were room.
+// The moves that the pair of a region, or its merged vertex, could make if there were room.
 std::vector<mesh::PairMove> moves_of(const mesh::Region& region, const Reading& reading);
 
 struct Exploration {
@@ -48,18 +51,17 @@ struct Exploration {
   bool holds_pair(int node) const { return !nodes[static_cast<std::size_t>(node)].reading.configuration.merged(); }
 };
 
-// The first start is explored to the end; a further one becomes a node only if it was not reached, and is explored then.
-// Precondition: the starts have this shape, and region_problem() is "" for each. A node in whose region read() finds a problem is kept, with the problem, and
-// not moved. O(nodes * moves * mesh).
+// Explores from the first start to the end, then from each further start that was not reached. If read() finds a problem
+// in a node's region, the node is kept with that problem and not moved. Precondition: region_problem() is "" for each
+// start, and its sides are those of the shape. O(nodes * moves * mesh).
 Exploration explore(const theory::RegionShape& shape, const std::vector<mesh::Region>& starts);
-// From the first configuration of parameter_set(), glued, and from whatever moves did not reach of the others (the merged
-// ones too if apex says so), so that nothing is missing even if the graph were not connected. Nodes are sorted by
-// configuration, merged ones last.
+// Explores from all configurations that theory predicts, glued (generators.hpp), the merged ones only with the apex. So
+// nothing predicted would be missing if the graph were not connected. Nodes are sorted by configuration, merged ones last.
 Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex);
 
-// The multigraph of an exploration: moves come in pairs that undo each other, so n moves from i to j, i != j, are n
-// edges and n moves from i to itself n / 2 edges. Throws std::logic_error if the moves do not pair up so. Apex::without
-// leaves the merged nodes out; nodes keep their order. `node_of` receives each graph vertex's exploration node.
+// The multigraph of an exploration. Moves come in pairs that undo each other: n moves from i to another node j are n
+// edges, n moves from i to itself are n / 2 loops. Apex::without leaves the merged nodes out. Nodes keep their order;
+// `node_of` receives the exploration's node of each graph vertex. Throws std::logic_error if the moves do not pair up.
 theory::ConfigurationGraph found_graph(const Exploration& found, theory::Apex apex,
                                        std::vector<int>* node_of = nullptr);
 

@@ -11,7 +11,7 @@ namespace requad::enumerate {
 namespace {
 
 int third_index(theory::PairType type, const theory::Configuration& c) {
-  return type.symmetric() && type.rotation_count() > 1 && !c.merged() ? c.p : 0;
+  return type.has_third_index() && !c.merged() ? c.p : 0;
 }
 
 AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {

@@ -24,6 +24,7 @@ Configuration simplest_configuration(const RegionShape& shape) {
 
 namespace {
 
+// Node indices, both ends included, by breadth-first search.
 std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, int to) {
   std::vector<int> before(map.nodes.size(), -1);
   std::deque<int> queue{from};
@@ -45,40 +46,38 @@ std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, in
   return path;
 }
 
+// Tries the moves of the pair as it now lies, and keeps the one after which the mesh reads as this configuration.
+void step_to(const Configuration& next, PairType type, Realisation& made) {
+  for (const mesh::PairMove& move : moves_of(made.region, read(made.region, type))) {
+    const mesh::MoveReport report = mesh::move_pair(made.region.mesh, move);
+    if (report.refusal != mesh::Refusal::none) continue;
+    if (read(made.region, type).configuration == next) {
+      made.path.push_back(next);
+      made.moves.push_back(move);
+      made.operations.insert(made.operations.end(), report.operations.begin(), report.operations.end());
+      return;
+    }
+    mesh::apply_all(made.region.mesh, report.undo);
+  }
+  throw std::logic_error("the step to " + theory::label(type, next) + " was refused");
+}
+
 }  // namespace
 
 Realisation realise(const RegionShape& shape, const Configuration& from, const Configuration& to) {
   const PairType type = shape.type();
   const theory::ConfigurationMap map = theory::configuration_map(shape, theory::Apex::with);
-  const int start = map.find(from);
-  const int target = map.find(to);
-  for (const auto& [node, c] : {std::pair{start, from}, std::pair{target, to}}) {
+  const auto index_of = [&](const Configuration& c) {
+    const int node = map.find(c);
     if (node < 0) throw std::invalid_argument(theory::label(type, c) + " is no configuration of this region");
-  }
-  Realisation result;
-  result.region = glue_region(type, map.nodes[static_cast<std::size_t>(start)].configuration);
-  for (const int node : shortest_path(map, start, target)) {
-    const Configuration& next = map.nodes[static_cast<std::size_t>(node)].configuration;
-    if (!result.path.empty()) {
-      // Try the moves of the pair as it now lies, and keep the one after which the mesh reads as the next node.
-      const Reading here = read(result.region, type);
-      bool made = false;
-      for (const mesh::PairMove& move : moves_of(result.region, here)) {
-        const mesh::MoveReport report = mesh::move_pair(result.region.mesh, move);
-        if (report.refusal != mesh::Refusal::none) continue;
-        if (read(result.region, type).configuration == next) {
-          result.moves.push_back(move);
-          result.operations.insert(result.operations.end(), report.operations.begin(), report.operations.end());
-          made = true;
-          break;
-        }
-        mesh::apply_all(result.region.mesh, report.undo);
-      }
-      if (!made) throw std::logic_error("the step to " + theory::label(type, next) + " was refused");
-    }
-    result.path.push_back(next);
-  }
-  return result;
+    return node;
+  };
+  const auto configuration = [&](int node) { return map.nodes[static_cast<std::size_t>(node)].configuration; };
+  const int start = index_of(from);
+  const std::vector<int> path = shortest_path(map, start, index_of(to));
+  Realisation made{glue_region(type, configuration(start)), {configuration(start)}, {}, {}};
+  for (std::size_t i = 1; i < path.size(); ++i) step_to(configuration(path[i]), type, made);
+  return made;
 }
 
 }  // namespace requad::enumerate

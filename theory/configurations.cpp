@@ -29,10 +29,12 @@ GridPoint grid_point(PairType type, const Configuration& c) {
   return {c.parameters.e(0), c.parameters.e(1)};
 }
 
-std::string label(PairType type, const Configuration& c) {
-  const GridPoint at = grid_point(type, c);
+std::string label(PairType type, const Configuration& c) { return label(type, grid_point(type, c), c.p); }
+
+std::string label(PairType type, const GridPoint& at, int p) {
+  const bool merged = at == GridPoint{0, 0};
   std::string text = "(" + std::to_string(at.m) + "," + std::to_string(at.n);
-  if (type.symmetric() && type.rotation_count() > 1 && !c.merged()) text += "," + std::to_string(c.p);
+  if (type.has_third_index() && !merged) text += "," + std::to_string(p);
   return text + ")";
 }
 

@@ -44,8 +44,9 @@ struct GridPoint {
 };
 GridPoint grid_point(PairType type, const Configuration& configuration);
 
-// "(m,n)"; or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3).
+// "(m,n)", or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3); the merged configuration is "(0,0)".
 std::string label(PairType type, const Configuration& configuration);
+std::string label(PairType type, const GridPoint& at, int p);
 
 // One line that says why no pair has these parameters, or "" if one has: d1, d2 >= 0 and not both 0, k strips, each
 // >= 1, no length beyond kMaxLength.

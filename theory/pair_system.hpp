@@ -58,6 +58,9 @@ struct PairType {
   bool symmetric() const { return l1 == l2; }
   // The number of ways to lay the labels 1..k on the sides. Labellings that only swap two equal vertices count once.
   int rotation_count() const { return symmetric() ? side_count() / 2 : side_count(); }
+  // Whether the labels of one region's configurations have a third index p: (d1, d2, p) as in Theorem 7.3. For different
+  // valences the sides of a region fix p (Theorem 7.4).
+  bool has_third_index() const { return symmetric() && rotation_count() > 1; }
   // "3-3", "5-5", "3-5": the smaller valence first, as the paper writes it.
   std::string name() const;
 

@@ -18,7 +18,7 @@ using theory::PairType;
 // How labels of this type are written.
 const char* label_form(PairType type) {
   if (!type.symmetric()) return "m,n";
-  return type.rotation_count() > 1 ? "d1,d2,p" : "d1,d2";
+  return type.has_third_index() ? "d1,d2,p" : "d1,d2";
 }
 
 // The configuration of the region whose label the option gives. Throws UsageError.
@@ -27,7 +27,7 @@ Configuration required_configuration(const Options& options, const std::string& 
   const PairType type = shape.type();
   const std::string text = options.required(name, "a label as in --" + name + " 1,1");
   const std::vector<std::int64_t> label = program::parse_integers(text, "--" + name);
-  const bool has_p = type.symmetric() && type.rotation_count() > 1;
+  const bool has_p = type.has_third_index();
   const bool is_merged = type.symmetric() && label.size() >= 2 && label[0] == 0 && label[1] == 0;
   if (label.size() != (has_p ? 3U : 2U) && !(is_merged && label.size() == 2))
     throw UsageError("--" + name + ": '" + text + "' is not of the form " + label_form(type));

@@ -54,7 +54,7 @@ TEST_CASE("bad parameters are refused", "[generators]") {
   CHECK_THROWS_AS(glue_region(theory::kDigon, c), std::invalid_argument);
 }
 
-TEST_CASE("exploration finds tau(9) = 16 configurations from any of them", "[exploration]") {
+TEST_CASE("enumerate-2: exploration finds tau(9) = 16 configurations from any of them", "[exploration]") {
   // Theorem 7.2: N^2 with N = 4.
   const auto all = theory::parameter_set({theory::kDigon, sides({9, 9})});
   for (const auto& c : all) {

@@ -180,7 +180,7 @@ TEST_CASE("the mover makes the moves that move_pair makes", "[walk]") {
   CHECK(made > 150);
 }
 
-TEST_CASE("the walk visits each configuration once and each edge both ways", "[walk]") {
+TEST_CASE("enumerate-3: the walk visits each configuration once and each edge both ways", "[walk]") {
   for (std::int64_t length = 3; length <= 14; ++length) {
     INFO("side " << length);
     const WalkResult digon = enumerate::walk({theory::kDigon, regular(theory::kDigon, length)});
@@ -228,7 +228,7 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
 
   // Another region than the one that theory speaks of.
   const WalkResult other = enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), start(10));
-  CHECK(other.problem == "after the region to start from the separatrices are those of no configuration");
+  CHECK(other.problem == "in the region to start from, the separatrices are those of no configuration");
   CHECK(other.mesh.has_value());
   CHECK_FALSE(other.complete());
 

@@ -123,8 +123,9 @@ TEST_CASE("Law irregular-1: a step changes the valences of both positions of the
 
 TEST_CASE("Transport goes as the pair moves do where nothing is in the way", "[transport]") {
   // Transport reaches every configuration that pair moves reach in one step, and no other.
-  const auto found = enumerate::explore(
-      theory::kHexagon, {enumerate::glue_region(theory::kHexagon, {{1, 1, theory::IntegerVector::Constant(6, 2)}, 1})});
+  const theory::Configuration start{{1, 1, theory::IntegerVector::Constant(6, 2)}, 1};
+  const auto found = enumerate::explore({theory::kHexagon, theory::region_sides(theory::kHexagon, start)},
+                                        {enumerate::glue_region(theory::kHexagon, start)});
   std::map<int, std::set<std::string>> by_moves, by_transport;
   for (const auto& move : found.moves) {
     if (move.to >= 0 && found.holds_pair(move.to) && found.holds_pair(move.from))
@@ -140,8 +141,8 @@ TEST_CASE("Transport goes as the pair moves do where nothing is in the way", "[t
     for (int k = 0; k < 2; ++k) {
       std::vector<HalfEdgeId> starts;
       m.for_each_out(pair[static_cast<std::size_t>(k)], [&](HalfEdgeId h) { starts.push_back(m.twin(h)); });
-      for (const HalfEdgeId start : starts) {
-        if (transport.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
+      for (const HalfEdgeId first : starts) {
+        if (transport.carry({first}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
           continue;
         CHECK(validate(m).empty());
         by_transport[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
