@@ -24,7 +24,7 @@ struct Location {
   int number = -1;              // of the configuration, in the table; -1: there is none with these separatrices
   theory::Place place;          // canonical
   mesh::PairFrame frame;        // of the labelling that `place` stands for, or of the merged vertex
-  mesh::PairFrame other_frame;  // of a segment's other labelling (Law 3)
+  mesh::PairFrame other_frame;  // of a segment's other labelling (theory-3)
 
   bool known() const { return number >= 0; }
 };

@@ -17,7 +17,7 @@
 
 using namespace requad;
 using namespace requad::tests;
-using nlohmann::json;
+
 using theory::PairType;
 
 namespace {
@@ -77,11 +77,11 @@ std::string pair_in(const mesh::Region& region) {
   return text;
 }
 
-json json_of(const std::string& arguments) {
+nlohmann::json json_of(const std::string& arguments) {
   const Outcome outcome = call("edit", arguments + " --json -");
   INFO(arguments << "\n" << outcome.err);
   REQUIRE(outcome.code == 0);
-  return json::parse(outcome.out);
+  return nlohmann::json::parse(outcome.out);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ TEST_CASE("requad-edit moves and move print the d1 and d2 of the side-length equ
     CHECK(labels_of(before, sample.type) == std::set{label});
 
     int legal = 0;
-    for (const json& move : json_of("moves pair.obj" + pair_in(before))["moves"]) {
+    for (const nlohmann::json& move : json_of("moves pair.obj" + pair_in(before))["moves"]) {
       if (!move["legal"].get<bool>()) continue;
       ++legal;
       const std::string effect = move["effect"], name = move["move"];
@@ -106,7 +106,8 @@ TEST_CASE("requad-edit moves and move print the d1 and d2 of the side-length equ
       const std::size_t at = effect.find(separator);
       REQUIRE(at != std::string::npos);
       CHECK(effect.substr(0, at) == label);
-      const json made = json_of("move pair.obj" + pair_in(before) + " --step " + name + " --smooth 0 -o moved.obj");
+      const nlohmann::json made =
+          json_of("move pair.obj" + pair_in(before) + " --step " + name + " --smooth 0 -o moved.obj");
       CHECK(made["effect"] == effect);
       CHECK(labels_of(region_in("moved.obj"), sample.type).count(effect.substr(at + separator.size())) == 1);
     }
@@ -123,13 +124,13 @@ TEST_CASE("requad-edit align and merge print the d1 and d2 of the side-length eq
     spill(scratch() / "pair.obj", mesh::obj_text(enumerate::glue_region(sample.type, c)));
     INFO(sample.type.name() << " " << text_of(c.d1(), c.d2()));
     const std::string pair = pair_in(region_in("pair.obj"));
-    const json result = json_of("align pair.obj" + pair + " --smooth 0 -o aligned.obj");
+    const nlohmann::json result = json_of("align pair.obj" + pair + " --smooth 0 -o aligned.obj");
     const std::string label = text_of(result["d1"], result["d2"]);
     INFO(label);
     CHECK(labels_of(region_in("aligned.obj"), sample.type).count(label) == 1);
     ++aligned;
     if ((c.d1() + c.d2()) % 2 != 0) continue;
-    const json merged = json_of("merge pair.obj" + pair + " --smooth 0 -o merged.obj");
+    const nlohmann::json merged = json_of("merge pair.obj" + pair + " --smooth 0 -o merged.obj");
     CHECK(text_of(merged["d1"], merged["d2"]) == "(0,0)");
     CHECK(labels_of(region_in("merged.obj"), sample.type) == std::set<std::string>{"(0,0)"});
   }

@@ -6,6 +6,7 @@
 
 #include <sys/stat.h>
 
+#include "mesh/program/errors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/support.hpp"
