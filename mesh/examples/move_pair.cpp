@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "mesh/editing/editor.hpp"
-#include "mesh/files/polygon_mesh.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/irregular/pair_moves.hpp"
 #include "mesh/topology/separatrix.hpp"

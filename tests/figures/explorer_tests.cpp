@@ -360,7 +360,7 @@ TEST_CASE("requad-figures --explorer writes one file that stands alone", "[explo
            {"--explorer --pair 3-3 --sides 40,40",
             "380 configurations; the explorer, to stay quick, takes at most 150"},
            {"--explorer --pair 3-3 --sides 6,6 --figure 10", "--figure"},
-           {"--pair 3-3", "--explorer"}}) {
+           {"--pair 3-3", "no use for --pair"}}) {
     CAPTURE(arguments);
     const Outcome refused = call("figures", arguments);
     CHECK(refused.code == 2);

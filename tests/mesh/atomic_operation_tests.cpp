@@ -594,7 +594,7 @@ TEST_CASE("requad-edit atomic lists, makes and refuses", "[atomic][programs]") {
            {along + " --make 'move-v3 flip left'", 2, "-o is missing"},
            {at + " " + outer, 2, "no edge joins"},
            {at + " 999999", 2, "there is no vertex 999999"},
-           {"atomic v3.obj", 2, "one or two vertices"}}) {
+           {"atomic v3.obj", 2, "atomic: expected IN V [W]"}}) {
     INFO(arguments);
     const tests::Outcome outcome = tests::call("edit", arguments);
     CHECK(outcome.code == code);

@@ -46,6 +46,7 @@ const Table kMayInclude{
     {"mesh/threads", {}},
     {"mesh/program", {}},
     {"mesh/pictures", {"mesh/topology", "mesh/geometry"}},
+    {"mesh/examples", kMesh},
     {"mesh/commands", kMesh + kPlumbing + Rooms{"mesh/pictures"}},
 
     {"enumerate/search", kMesh + kPlumbing},

@@ -178,9 +178,9 @@ program::Command campaign_command(Processes& processes) {
           {
               "requad-verify",
               "requad-verify --claim T2 --digon 3..40",
-              "requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof",
+              "requad-verify --claim T2 --digon 3..8 --certificate proof",
               "requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json",
-              "requad-verify --claim T2 --method walk --digon 1000",
+              "requad-verify --claim T2 --method walk --digon 300",
               "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
 #ifdef REQUAD_MPI
               "mpirun -n 4 requad-verify --hexagon 3..15 --journal run.journal --json report.json",
