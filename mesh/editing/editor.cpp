@@ -21,6 +21,21 @@ Refusal Editor::why_not(const BasicOperation& operation) const {
   return features_->why_not(mesh_, operation);
 }
 
+// Performs the operation if why_not() allows it, and adds it to the log.
+Applied Editor::perform(const BasicOperation& operation) {
+  Applied done;
+  done.refusal = why_not(operation);
+  if (done.refusal != Refusal::none) return done;
+  Edit& edit = edits_.emplace_back();
+  edit.operates = true;
+  edit.operation = operation;
+  edit.changed = changed_vertices(mesh_, operation);
+  done = apply_unchecked(mesh_, operation);
+  edit.inverse = done.inverse;
+  if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
+  return done;
+}
+
 Applied Editor::run(const BasicOperation& operation) {
   const Applied done = perform(operation);
   if (done.refusal != Refusal::none || positions_ == nullptr) return done;

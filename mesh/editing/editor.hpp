@@ -66,6 +66,7 @@ class Editor : public OperationLog {
   void roll_back(std::size_t mark = 0) override;
 
  private:
+  Applied perform(const BasicOperation& operation);
   void grow_positions();
   void record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to);
   void place_parts(HalfEdgeId made, Edit& edit);

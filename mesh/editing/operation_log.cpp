@@ -19,21 +19,16 @@ FaceId Edit::made_face() const {
   return QuadMesh::face(inverse.h);
 }
 
-Applied OperationLog::perform(const BasicOperation& operation) {
-  Applied done;
-  done.refusal = why_not(operation);
-  if (done.refusal != Refusal::none) return done;
-  Edit& edit = edits_.emplace_back();
-  edit.operates = true;
-  edit.operation = operation;
-  edit.changed = changed_vertices(mesh_, operation);
-  done = apply_unchecked(mesh_, operation);
-  edit.inverse = done.inverse;
-  if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
+Applied OperationLog::run(const BasicOperation& operation) {
+  const Applied done = apply(mesh_, operation);
+  if (done.refusal == Refusal::none) {
+    Edit& edit = edits_.emplace_back();
+    edit.operates = true;
+    edit.operation = operation;
+    edit.inverse = done.inverse;
+  }
   return done;
 }
-
-Applied OperationLog::run(const BasicOperation& operation) { return perform(operation); }
 
 void OperationLog::take_back_last() {
   if (edits_.back().operates) take_back(mesh_, edits_.back().inverse);

@@ -28,12 +28,13 @@ struct Placement {
 // One entry of a log: a basic operation with the placements that belong to it, or placements alone.
 struct Edit {
   bool operates = false;
-  BasicOperation operation;         // if operates
-  BasicOperation inverse;           // if operates
-  std::array<VertexId, 4> changed;  // if operates: the vertices whose valence changed, a split's new one among them
+  BasicOperation operation;  // if operates
+  BasicOperation inverse;    // if operates
+  // If an Editor performed the operation: the vertices whose valence changed, a split's new one among them.
+  std::array<VertexId, 4> changed;
   std::vector<Placement> placements;
 
-  // The vertex and the face that a collapse removed or that a split made; none if the edit did not.
+  // The vertex (by an Editor only) and the face that a collapse removed or that a split made; none if the edit did not.
   VertexId removed_vertex() const;
   FaceId removed_face() const;
   VertexId made_vertex() const;
@@ -64,8 +65,6 @@ class OperationLog {
   void forget() { edits_.clear(); }
 
  protected:
-  // Performs the operation if why_not() allows it, and adds it to the log.
-  Applied perform(const BasicOperation& operation);
   // Takes the last edit back, its placements excepted.
   void take_back_last();
 
