@@ -1,7 +1,7 @@
 // The basic operations by CGAL (-DREQUAD_BENCH_PEERS=ON).
 //
-// "euler" uses CGAL's Euler operations. "setters" changes next, face, target and the half-edges of vertices and faces one
-// by one, as a program must where no such operation fits. Neither tests whether the result is a simple mesh.
+// "euler" uses CGAL's Euler operations. "setters" changes next, face, target and the half-edges of vertices and faces
+// one by one, as a program must where no such operation fits. Neither tests whether the result is a simple mesh.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -170,7 +170,8 @@ BENCHMARK_CAPTURE(transport, kept, false)->Apply(longer_paths)->Complexity();
 BENCHMARK_CAPTURE(transport, new, true)->Apply(three_sizes);
 
 // How long does it take to cancel a v3 and a v5 with the help of a second v3 beside the v5, and to roll back? They are
-// `path` steps of a flip apart, which are twice as many edges. Each edge takes one transport, whose search covers a disc.
+// `path` steps of a flip apart, which are twice as many edges. Each edge takes one transport, whose search covers a
+// disc.
 void cancel_and_roll_back(benchmark::State& state) {
   ThreeVertices start(state.range(0), state.range(1));
   mesh::PairTransport transport(start.scene.editor);

@@ -25,7 +25,8 @@ inline void count_file_quads(benchmark::State& state) {
   state.SetComplexityN(quads);
 }
 
-// An OBJ of a torus of n x n quads in the folder for temporary files, and a path for a copy. The destructor removes both.
+// An OBJ of a torus of n x n quads in the folder for temporary files, and a path for a copy. The destructor removes
+// both.
 class ObjFile {
  public:
   explicit ObjFile(int n) : path_(std::filesystem::temp_directory_path() / "requad-bench.obj") {

@@ -8,7 +8,8 @@
 
 namespace requad::bench {
 
-// A fixed number of iterations, so that the large meshes are built once: four rounds over the sites of the larger torus.
+// A fixed number of iterations, so that the large meshes are built once: four rounds over the sites of the larger
+// torus.
 constexpr benchmark::IterationCount kRounds = 1 << 18;
 
 // Throws if the subject makes other meshes than requad. Tests it at the first call only.

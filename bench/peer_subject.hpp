@@ -1,4 +1,5 @@
-// Half-edge libraries as subjects (subjects.hpp): the set-up that is the same for all of them, and operations by setters.
+// Half-edge libraries as subjects (subjects.hpp): the set-up that is the same for all of them, and operations by
+// setters.
 //
 // A Library holds a mesh and names in one way what it can do:
 //   Site, Vertex, Face              its handles, a Site being a half-edge

@@ -21,8 +21,8 @@ using theory::IntegerVector;
 using theory::PairType;
 using theory::RegionShape;
 
-// How long does it take to make a digon strip by strip? It has d x d quads between the pair and d strips along each side,
-// 7 d^2 quads in all.
+// How long does it take to make a digon strip by strip? It has d x d quads between the pair and d strips along each
+// side, 7 d^2 quads in all.
 void grow(benchmark::State& state) {
   const theory::Integer d = state.range(0);
   const theory::Configuration configuration{{d, d, IntegerVector::Constant(2, d)}, 1};
@@ -69,9 +69,9 @@ struct Operations {
 };
 
 // The operations of a walk, which makes every move of the predicted graph once in each direction (see pair_moves.hpp).
-// Open and close take as many splits or collapses as the path is long, on average over its two ends. A slide flips along
-// the diagonal of a rectangle and goes straight on for the rest. The sides of the rectangle are those of R_alpha before
-// or after: the lesser ones for a 3-3 pair, the greater ones for a 5-5 pair. Those of a 3-5 pair do not change.
+// Open and close take as many splits or collapses as the path is long, on average over its two ends. A slide flips
+// along the diagonal of a rectangle and goes straight on for the rest. The sides of the rectangle are those of R_alpha
+// before or after: the lesser ones for a 3-3 pair, the greater ones for a 5-5 pair. Those of a 3-5 pair do not change.
 Operations operations_of_walk(const RegionShape& shape) {
   const PairType type = shape.type();
   Operations sum;

@@ -48,8 +48,8 @@ inline mesh::Positions torus_positions(int n) {
   return positions;
 }
 
-// The ends of half-edges in random order and of random direction, four quads apart, so that an operation at one does not
-// touch the others. Precondition: n is a multiple of 4.
+// The ends of half-edges in random order and of random direction, four quads apart, so that an operation at one does
+// not touch the others. Precondition: n is a multiple of 4.
 inline std::vector<std::array<int, 2>> random_sites(int n) {
   std::mt19937 random(2011);
   const FaceList faces = torus_faces(n);

@@ -1,5 +1,5 @@
-// Graphs for other programs to read: named attributes at the nodes and edges of an undirected multigraph, written as DOT
-// and as GraphML by Boost.Graph.
+// Graphs for other programs to read: named attributes at the nodes and edges of an undirected multigraph, written as
+// DOT and as GraphML by Boost.Graph.
 #pragma once
 
 #include <array>

@@ -46,10 +46,10 @@ class Explorer {
 
   Exploration found_;
   std::unordered_map<std::string, int> index_;  // of the nodes, by signature
-  std::size_t explored_ = 0;                    // the moves of the nodes before this one have been tried
+  std::size_t explored_ = 0;                    // the moves of all nodes before this one have been tried
 };
 
-// The node with this region's signature; a new one if there is none.
+// The node with this region's signature. Adds one if there is none.
 int Explorer::node_of(const Region& region) {
   const auto [it, is_new] = index_.emplace(mesh::signature(region), static_cast<int>(found_.nodes.size()));
   if (is_new) found_.nodes.push_back({region, it->first, read(region, type())});
@@ -57,7 +57,7 @@ int Explorer::node_of(const Region& region) {
 }
 
 void Explorer::try_all_moves(std::size_t node) {
-  if (!found_.nodes[node].reading.problem.empty()) return;  // the caller sees the problem; there is nothing to move
+  if (!found_.nodes[node].reading.problem.empty()) return;  // there is nothing to move; the node keeps its problem
   for (const PairMove& move : moves_of(found_.nodes[node].region, found_.nodes[node].reading)) {
     Region work = found_.nodes[node].region;
     FoundMove result = try_move(found_.nodes[node], move, work);
@@ -67,7 +67,7 @@ void Explorer::try_all_moves(std::size_t node) {
   }
 }
 
-// Makes the move on `work`, a copy of the node's region.
+// Makes the move on `work`, which is a copy of the node's region.
 FoundMove Explorer::try_move(const FoundNode& node, const PairMove& move, Region& work) const {
   FoundMove result;
   result.move = move;
@@ -146,8 +146,8 @@ Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex) {
 
 namespace {
 
-// The number of moves made from one graph vertex to another, by both. `vertex_of` has the graph vertex of each node; -1
-// where it is left out.
+// The number of moves from one graph vertex to another, by (from, to). `vertex_of` has the graph vertex of each node,
+// or -1 if the node is left out.
 std::map<std::pair<int, int>, int> count_moves(const Exploration& found, const std::vector<int>& vertex_of) {
   std::map<std::pair<int, int>, int> count;
   for (const FoundMove& move : found.moves) {

@@ -3,9 +3,9 @@
 // Law enumerate-2   explore() finds every configuration that pair moves reach from the starts, precisely once up to
 //                   isomorphism rel boundary: equal signatures from the root.
 //
-// Merged configurations on the way are included. A configuration is represented by the mesh on which it was reached first.
-// At each one explore() tries every move that mesh::pair_moves() or mesh::parting_moves() lists. Labels are read off each
-// mesh (labels.hpp). A start whose pair has no room to move is the only configuration that is found from it.
+// Merged configurations on the way are included. A configuration is represented by the mesh on which it was reached
+// first. At each one explore() tries every move that mesh::pair_moves() or mesh::parting_moves() lists. Labels are read
+// off each mesh (labels.hpp). A start whose pair has no room to move is the only configuration that is found from it.
 #pragma once
 
 #include <optional>
@@ -51,12 +51,13 @@ struct Exploration {
   bool holds_pair(int node) const { return !nodes[static_cast<std::size_t>(node)].reading.configuration.merged(); }
 };
 
-// Explores from the first start to the end, then from each further start that was not reached. If read() finds a problem
-// in a node's region, the node is kept with that problem and not moved. Precondition: region_problem() is "" for each
-// start, and its sides are those of the shape. O(nodes * moves * mesh).
+// Explores everything from the first start, then from each further start that was not reached. If read() finds a
+// problem in a node's region, the node is kept with that problem and no move is tried on it. Precondition:
+// region_problem() is "" for each start, and its sides are those of the shape. O(nodes * moves * mesh).
 Exploration explore(const theory::RegionShape& shape, const std::vector<mesh::Region>& starts);
-// Explores from all configurations that theory predicts, glued (generators.hpp), the merged ones only with the apex. So
-// nothing predicted would be missing if the graph were not connected. Nodes are sorted by configuration, merged ones last.
+// Explores from all configurations that theory predicts, glued (generators.hpp); from the merged ones only with the
+// apex. So no predicted configuration is missing even if the graph is not connected. Nodes are sorted by configuration,
+// merged ones last.
 Exploration explore_all(const theory::RegionShape& shape, theory::Apex apex);
 
 // The multigraph of an exploration. Moves come in pairs that undo each other: n moves from i to another node j are n

@@ -28,7 +28,7 @@ void require(PairType type, const Configuration& c) {
                                 " quads, more than the 20 million that are made here");
 }
 
-// The label that lies on side 1 of the region.
+// The label of the region's side 1.
 int label_of_first_side(PairType type, const Configuration& c) {
   const int k = type.side_count();
   return ((1 - c.p) % k + k) % k + 1;
@@ -51,7 +51,7 @@ StripGrowth::StripGrowth(PairType type, Integer d1, Integer d2) {
   strips_.assign(sides_.size(), 0);
 }
 
-// R_alpha: v1 at column 0, row 0; its first leg along row 0.
+// R_alpha has v1 at column 0 of row 0. The first leg of v1 runs along row 0.
 StripGrowth::Core StripGrowth::make_core(int d1, int d2) {
   std::vector<Line> columns(static_cast<std::size_t>(d2) + 1, Line(static_cast<std::size_t>(d1) + 1));
   for (Line& column : columns) {
@@ -74,9 +74,10 @@ StripGrowth::Core StripGrowth::make_core(int d1, int d2) {
   return core;
 }
 
-// Appends the sides that a vertex's outward separatrices cross: counter-clockwise down its second leg to the vertex, and
-// along its first leg. The first and the last separatrix cross the sides along the second and the first leg; those between
-// cross a side of length 0. A lone separatrix crosses one side along both.
+// Appends the sides that a vertex's outward separatrices cross. They run counter-clockwise down its second leg to the
+// vertex and then along its first leg. The first separatrix crosses the side along the second leg, and the last one the
+// side along the first leg. Those between cross a side of length 0. A single separatrix crosses one side along both
+// legs.
 void StripGrowth::add_sides(const Line& second_leg, const Line& first_leg, int outward) {
   if (outward == 1) {
     Line both = second_leg;
@@ -173,7 +174,7 @@ class Gluing {
     for (Integer i = 0; i < length; ++i) line.push_back(new_vertex());
     return line;
   }
-  // The next outward separatrices, so many of them, start from v.
+  // Starts the next `count` outward separatrices at v.
   void add_rays(int v, int count) {
     for (int i = 0; i < count; ++i) rays_.push_back(line_from(v, c_.parameters.e(static_cast<int>(rays_.size()))));
   }
@@ -182,8 +183,9 @@ class Gluing {
     return line;
   }
 
-  // Makes a rectangle and returns its columns of vertices, left to right. The lower and the left line start at the same
-  // vertex, the left one counter-clockwise of the lower one. If `upper` is empty, its vertices are new, as are all others.
+  // Makes a rectangle and returns its columns of vertices from left to right. The lower and the left line start at the
+  // same vertex, the left one counter-clockwise of the lower one. The vertices on `upper` are new if it is empty. All
+  // other vertices are new.
   std::vector<Line> rectangle(const Line& lower, const Line& left, const Line& upper) {
     std::vector<Line> grid(lower.size(), Line(left.size()));
     for (std::size_t i = 0; i < lower.size(); ++i) {
@@ -209,13 +211,14 @@ class Gluing {
     corners_[at] = rectangle(rays_[at], rays_[at + 1], {}).back().back();
   }
 
-  // The three rectangles round a corner z of R_alpha, from the last outward separatrix of one vertex to the first one of
-  // the other: `to_z` is the one vertex's first leg, `from_z` the other's second leg, backwards.
+  // Makes the three rectangles round a corner z of R_alpha, from the last outward separatrix of one vertex to the first
+  // one of the other vertex. `to_z` is the first leg of the former, `from_z` the reversed second leg of the latter.
   void fill_round_corner(int last, int first, const Line& to_z, const Line& from_z) {
     const Line& ray_last = rays_[static_cast<std::size_t>(last)];
     const Line& ray_first = rays_[static_cast<std::size_t>(first)];
     const int z = to_z.back();
-    // The legs continued beyond z. If a leg has length 0, then z is its vertex, and the continuation one of its rays.
+    // The legs continued beyond z. If a leg has length 0, then z is its vertex, and its continuation is one of the
+    // rays.
     const Line along_last = to_z.size() == 1 ? ray_last : line_from(z, static_cast<Integer>(ray_last.size()) - 1);
     const Line along_first = from_z.size() == 1 ? ray_first : line_from(z, static_cast<Integer>(ray_first.size()) - 1);
     if (to_z.size() > 1) rectangle(ray_last, to_z, along_last);
@@ -240,7 +243,7 @@ Region glue_region(PairType type, const Configuration& c) {
   return Gluing(type, c).build();
 }
 
-// As the merged vertex of a pair with valences k + 1 and 3.
+// Glues it as the merged vertex of a pair with valences k + 1 and 3.
 Region glue_vertex(const theory::IntegerVector& e) {
   return glue_region({static_cast<int>(e.size()) + 1, 3}, {{0, 0, e}, 1});
 }

@@ -3,8 +3,8 @@
 // Law enumerate-1   grow_region(), glue_region() and realise() (realisation.hpp, by moves) make isomorphic regions rel
 //                   boundary from the same configuration.
 //
-// Label 1 of a configuration lies on side p of the region (theory/configurations.hpp). The region's root is the start of
-// its side 1. Both ways take time O(F log F) for a region of F quads.
+// Label 1 of a configuration lies on side p of the region (theory/configurations.hpp). The region's root is the start
+// of its side 1. Both ways take time O(F log F) for a region of F quads.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 namespace requad::enumerate {
 
 // Grows a region as the proof of Lemma 7.10 does: from R_alpha, by one strip of quads along one side at a time (Lemmas
-// 7.12-7.14). At first a side has length 0 where the outward separatrices of a v5 leave side by side. So the region is a
-// mesh only once every side has had a strip.
+// 7.12-7.14). At first a side has length 0 where the outward separatrices of a v5 leave side by side. So the region is
+// a mesh only once every side has had a strip.
 class StripGrowth {
  public:
   // R_alpha of size d1 x d2, without strips: a segment if one extent is 0, a vertex if both are.
@@ -50,17 +50,17 @@ class StripGrowth {
 };
 
 // The region of a configuration, merged ones included, grown strip by strip with the sides in turn. Throws
-// std::invalid_argument if parameters_problem() finds something wrong (d1 = d2 = 0 is allowed here), and beyond 20 million
-// quads.
+// std::invalid_argument if parameters_problem() finds something wrong (d1 = d2 = 0 is allowed here), and beyond 20
+// million quads.
 mesh::Region grow_region(theory::PairType type, const theory::Configuration& configuration);
 
 // The same region, glued from the rectangles into which the separatrices cut it: R_alpha; one rectangle between any two
-// consecutive outward separatrices of a vertex; and at each corner of R_alpha that is no irregular vertex, three. Throws
-// like grow_region().
+// consecutive outward separatrices of a vertex; and at each corner of R_alpha that is no irregular vertex, three.
+// Throws like grow_region().
 mesh::Region glue_region(theory::PairType type, const theory::Configuration& configuration);
 
-// The region of a single irregular vertex of valence k = e.size() >= 2 with e_i strips towards side i; a regular grid if
-// k = 4. Side i has the length e_{i-1} + e_{i+1}. Throws like grow_region().
+// The region of a single irregular vertex of valence k = e.size() >= 2 with e_i strips towards side i; a regular grid
+// if k = 4. Side i has the length e_{i-1} + e_{i+1}. Throws like grow_region().
 mesh::Region glue_vertex(const theory::IntegerVector& e);
 
 }  // namespace requad::enumerate

@@ -1,5 +1,5 @@
-// The parameters of a configuration, read off a mesh: where the separatrices of its pair run, and which sides they meet.
-// Nothing is carried along from how the mesh was made.
+// The parameters of a configuration, read off a mesh: where the separatrices of its pair run, and which sides they
+// meet. They do not depend on how the mesh was made.
 #pragma once
 
 #include <optional>
@@ -24,18 +24,18 @@ struct LabelledFrame {
   theory::Configuration labelling;  // as labelling_of() gives it; not canonical, since a segment has two frames
 };
 
-// What a region holds.
+// The pair or the merged vertex that a region holds.
 struct Reading {
   std::vector<mesh::VertexId> irregular;
-  std::vector<LabelledFrame> frames;    // of the pair; of a merged vertex one with d1 = d2 = 0
+  std::vector<LabelledFrame> frames;    // of the pair; a merged vertex has one, with d1 = d2 = 0
   theory::Configuration configuration;  // canonical
   std::string problem;                  // "" if the region holds one pair of this type, or one merged vertex
 };
-// Looks at all of the region. Precondition: region_problem(region) is "". O(V).
+// Reads the whole region. Precondition: region_problem(region) is "". O(V).
 Reading read(const mesh::Region& region, theory::PairType type);
 
-// The vector of Theorem 7.11: for each separatrix of v1, then of v2, counter-clockwise from the first leg, where it meets
-// the boundary. {-1, -1} stands for a separatrix that ends at the other vertex. O(V).
+// The vector of Theorem 7.11: for each separatrix of v1, then of v2, counter-clockwise from the first leg, where it
+// meets the boundary. {-1, -1} stands for a separatrix that ends at the other vertex. O(V).
 std::vector<mesh::BoundaryPosition> separatrix_vector(const mesh::Region& region, const mesh::PairFrame& frame);
 
 }  // namespace requad::enumerate

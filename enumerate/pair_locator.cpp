@@ -14,13 +14,13 @@ Location PairLocator::locate(const Pair& pair) {
   return merged(pair) ? locate_merged(pair[0]) : locate_parted(pair);
 }
 
-// Sets the crossings of all separatrices. False if one does not end as the pair's may.
+// Sets the crossings of all separatrices. Returns false if one ends where a separatrix of a pair cannot end.
 bool PairLocator::trace(const Pair& pair) {
   count_ = {0, 0};
   if (!collect(pair[0], 0)) return false;
   if (!merged(pair) && !collect(pair[1], 1)) return false;
   const std::size_t total = count_[0] + count_[1];
-  // All side by side: following a separatrix is nothing but waiting for memory.
+  // Traces all of them side by side, since each step of a single one waits for memory.
   mesh::trace_ends(m_, std::span(arrivals_).first(total), m_.half_edge_capacity());
   for (std::size_t i = 0; i < total; ++i) traced_ += arrivals_[i].length;
   for (std::size_t i = 0; i < total; ++i) {
@@ -29,7 +29,7 @@ bool PairLocator::trace(const Pair& pair) {
   return true;
 }
 
-// Appends the starts of a vertex's separatrices. False if it is no interior vertex, or has too many of them.
+// Appends the starts of a vertex's separatrices. Returns false if the vertex is not an interior one, or has too many.
 bool PairLocator::collect(VertexId v, std::size_t which) {
   if (!m_.is_live(v) || m_.is_boundary(v)) return false;
   const std::size_t before = which == 0 ? 0 : count_[0];
@@ -45,7 +45,7 @@ bool PairLocator::collect(VertexId v, std::size_t which) {
   return true;
 }
 
-// False if the separatrix ends neither at the boundary nor at the pair's other vertex.
+// Sets the crossing of one separatrix. Returns false if it ends neither at the boundary nor at the vertex `other`.
 bool PairLocator::set_crossing(std::size_t i, VertexId other) {
   const mesh::SeparatrixEnd& arrival = arrivals_[i];
   const VertexId at = m_.target(arrival.last);
@@ -75,7 +75,7 @@ Location PairLocator::locate_parted(const Pair& pair) const {
   const auto located = theory::locate(table_.shape(), of_vertex(crossings_, 0), of_vertex(crossings_, 1));
   if (!located) return {};
   const theory::Labelling& l = located->labelling;
-  // Frames are seen from the vertex whose labels come first.
+  // A frame belongs to the vertex whose labels come first.
   const std::size_t v1 = located->swapped ? 1 : 0;
   const std::size_t v2 = 1 - v1;
   const HalfEdgeId first_leg =

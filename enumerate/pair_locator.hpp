@@ -1,7 +1,8 @@
-// Which configuration a mesh is in, told by where the separatrices of its pair meet the boundary (Theorem 7.11).
+// Locating a mesh: which configuration it is, found from where its pair's separatrices meet the boundary (Theorem
+// 7.11).
 //
-// read() of labels.hpp looks at the whole mesh and needs no table. The locator looks at the separatrices alone, O(L) in a
-// region of side L, and allocates nothing once it is made: it is for the walk, which asks after every move (walk.hpp).
+// read() of labels.hpp looks at the whole mesh and needs no table. The locator traces only the separatrices. That takes
+// O(L) time in a region of side L and allocates nothing. The walk uses it after every move (walk.hpp).
 //
 // Internal: not installed.
 #pragma once
@@ -21,7 +22,7 @@
 namespace requad::enumerate {
 
 struct Location {
-  int number = -1;              // of the configuration, in the table; -1: there is none with these separatrices
+  int number = -1;              // of the configuration in the table; -1 if none has these separatrices
   theory::Place place;          // canonical
   mesh::PairFrame frame;        // of the labelling that `place` stands for, or of the merged vertex
   mesh::PairFrame other_frame;  // of a segment's other labelling (theory-3)
@@ -31,14 +32,15 @@ struct Location {
 
 class PairLocator {
  public:
-  // The pair, the vertex of larger valence first; a merged pair is one vertex twice.
+  // The pair, with the vertex of larger valence first. A merged pair is the same vertex twice.
   using Pair = std::array<mesh::VertexId, 2>;
 
-  // Both must outlive it. The region's boundary must not change.
+  // The table and the region must outlive the locator. The region's boundary must not change.
   PairLocator(const theory::ConfigurationTable& table, const mesh::Region& region);
 
-  // Traces all separatrices of the pair. The answer is unknown unless each ends at the boundary or at the pair's other
-  // vertex, and all of them are as theory says, lengths included. O(their length), no allocation.
+  // Traces all separatrices of the pair. The location is known only if each ends at the boundary or at the pair's other
+  // vertex and a configuration of the table has all of them, lengths included. Takes time in proportion to their
+  // lengths and allocates nothing.
   Location locate(const Pair& pair);
 
   std::int64_t calls() const { return calls_; }    // of locate()

@@ -24,7 +24,7 @@ Configuration simplest_configuration(const RegionShape& shape) {
 
 namespace {
 
-// Node indices, both ends included, by breadth-first search.
+// A shortest path of node indices, both ends included, by breadth-first search.
 std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, int to) {
   std::vector<int> before(map.nodes.size(), -1);
   std::deque<int> queue{from};
@@ -46,7 +46,8 @@ std::vector<int> shortest_path(const theory::ConfigurationMap& map, int from, in
   return path;
 }
 
-// Tries the moves of the pair as it now lies, and keeps the one after which the mesh reads as this configuration.
+// Tries the moves of the pair in its present configuration. Keeps the one after which the mesh is in this
+// configuration.
 void step_to(const Configuration& next, PairType type, Realisation& made) {
   for (const mesh::PairMove& move : moves_of(made.region, read(made.region, type))) {
     const mesh::MoveReport report = mesh::move_pair(made.region.mesh, move);

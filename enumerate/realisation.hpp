@@ -1,4 +1,4 @@
-// The third generator: a configuration realised by a shortest path of moves from another one (proof of Theorem 7.2).
+// The third generator: a shortest path of moves realises a configuration from another one (proof of Theorem 7.2).
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ struct Realisation {
 // configuration.
 theory::Configuration simplest_configuration(const theory::RegionShape& shape);
 
-// Makes a shortest path of the predicted graph, the apex included, move by move on the glued mesh of `from`. Each move is
-// chosen by the labels that are read off the mesh after it. Throws std::invalid_argument if one of the two is no
-// configuration of the region, and std::logic_error if no move makes a predicted step. O(path * mesh).
+// Follows a shortest path of the predicted graph, which includes the apex, by moves on the glued mesh of `from`. The
+// labels read off the mesh after a move decide whether it is the right one. Throws std::invalid_argument if one of the
+// two is not a configuration of the region, and std::logic_error if no move makes a predicted step. O(path * mesh).
 Realisation realise(const theory::RegionShape& shape, const theory::Configuration& from,
                     const theory::Configuration& to);
 

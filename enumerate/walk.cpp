@@ -31,7 +31,7 @@ PairStep mesh_step(PairType type, int step) {
   return steps[static_cast<std::size_t>(step)];
 }
 
-// The irregular vertices of a mesh as a pair; nothing if they are none.
+// The irregular vertices of a mesh as a pair. Nothing if they do not form one.
 std::optional<PairLocator::Pair> find_pair(const mesh::QuadMesh& m) {
   const auto irregular = mesh::irregular_vertices(m);
   if (irregular.size() == 1) return PairLocator::Pair{irregular[0], irregular[0]};
@@ -41,8 +41,8 @@ std::optional<PairLocator::Pair> find_pair(const mesh::QuadMesh& m) {
   return pair;
 }
 
-// What a depth-first traversal of the predicted graph remembers. A move is named by its configuration's number and its
-// slot there.
+// The memory of a depth-first traversal of the predicted graph. The number of a configuration and a slot there name a
+// move.
 class Traversal {
  public:
   static constexpr int kStart = 254;
@@ -54,7 +54,8 @@ class Traversal {
   bool tried(int number, int slot) const { return (tried_[at(number)] & bit(slot)) != 0; }
   void set_tried(int number, int slot) { tried_[at(number)] |= bit(slot); }
   bool seen(int number) const { return way_back_[at(number)] != kUnseen; }
-  // The slot of the move that leads back to where this configuration was first reached from; kStart where the walk began.
+  // The slot of the move that undoes the one by which this configuration was first reached; kStart where the walk
+  // began.
   int way_back(int number) const { return way_back_[at(number)]; }
   void set_way_back(int number, int slot) { way_back_[at(number)] = static_cast<std::uint8_t>(slot); }
 
@@ -79,7 +80,7 @@ class Walker {
         mover_(region_.mesh),
         progress_(progress),
         traversal_(table.size()) {
-    // A slide may split all along a side before it collapses.
+    // A slide may make splits all along a side before it makes a collapse.
     const auto room = static_cast<int>(table.shape().longest()) + 4;
     region_.mesh.reserve(static_cast<int>(table.most_faces()) + room, static_cast<int>(table.most_vertices()) + room);
     result_.predicted = table.pairs();
@@ -111,7 +112,7 @@ class Walker {
   const WalkProgress& progress_;
   Traversal traversal_;
   PairLocator::Pair pair_;
-  Location here_;  // as located last
+  Location here_;  // as it was located last
   std::int64_t visited_since_ = 0;
   WalkResult result_;
 };
@@ -133,14 +134,14 @@ WalkResult Walker::run() {
   return std::move(result_);
 }
 
-// The first problem stays.
+// Keeps the first problem.
 void Walker::fail(std::string problem) {
   if (!result_.problem.empty()) return;
   result_.problem = std::move(problem);
   if (here_.known()) result_.configuration = theory::label(type_, here_.place.at, here_.place.p);
 }
 
-// Finds out afresh where the mesh is.
+// Locates the mesh again.
 bool Walker::locate(const char* when) {
   here_ = locator_.locate(pair_);
   if (!here_.known()) fail(std::string(when) + ", the separatrices are those of no configuration");
@@ -161,7 +162,7 @@ void Walker::report_progress() {
 
 // --- the traversal ---------------------------------------------------------------------------------------------------
 
-// Walks one more edge, or the way back when none is left here; false at the end.
+// Walks one more edge, or goes back when none is left here. Returns false at the end.
 bool Walker::advance() {
   for (int slot = 0; slot < table_.slot_count(here_.place); ++slot) {
     if (!traversal_.tried(here_.number, slot)) return walk_edge(slot);
@@ -170,7 +171,7 @@ bool Walker::advance() {
   return slot != Traversal::kStart && go_back(slot, table_.move(here_.place, slot).to);
 }
 
-// Tries a move. If it leads to a new configuration the walk goes on from there, otherwise it comes back at once.
+// Tries a move. If it leads to a new configuration the walk continues from there. Otherwise the move is undone at once.
 bool Walker::walk_edge(int slot) {
   const Place from = here_.place;
   const ConfigurationTable::Move predicted = table_.move(from, slot);
@@ -187,7 +188,7 @@ bool Walker::walk_edge(int slot) {
   return true;
 }
 
-// Makes the inverse of a move that led here, back to `where`.
+// Makes the inverse of a move that led here. It must lead back to `where`.
 bool Walker::go_back(int slot, const Place& where) {
   if (!make(slot)) return false;
   if (!(here_.place == where)) fail("the inverse of a move does not lead back");
@@ -196,7 +197,7 @@ bool Walker::go_back(int slot, const Place& where) {
 
 // --- one move --------------------------------------------------------------------------------------------------------
 
-// Makes the move of a slot, and compares what the mesh does with what theory predicts. False if the mesh refused, or the
+// Makes the move of a slot and compares the mesh with the prediction. Returns false if the mesh refused the move or the
 // walk failed.
 bool Walker::make(int slot) {
   const ConfigurationTable::Move predicted = table_.move(here_.place, slot);
@@ -236,7 +237,7 @@ bool Walker::check_arrival(const ConfigurationTable::Move& predicted) {
   const Location before = here_;
   const bool known = locate("after a move");
   if (known && here_.number == predicted.target && here_.place == predicted.to) return true;
-  here_ = before;  // what failed, failed there
+  here_ = before;  // the step failed there
   fail("a step leads elsewhere than theory says");
   return false;
 }

@@ -108,7 +108,7 @@ struct GraphCloser {
 };
 
 // A DOT file as libcgraph writes it, with attributes of the graph: one attribute to a line, and none that is empty.
-// Throws std::logic_error if libcgraph can not read it.
+// Throws std::logic_error if libcgraph cannot read it.
 std::string laid_out(const std::string& dot, const std::vector<std::pair<const char*, std::string>>& attributes) {
   const std::unique_ptr<Agraph_t, GraphCloser> graph(agmemread(dot.c_str()));
   if (!graph) throw std::logic_error("Graphviz can not read a figure's graph");

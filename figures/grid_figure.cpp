@@ -44,8 +44,8 @@ GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
   return edge;
 }
 
-// Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at two
-// positions become a node and its copy. An edge joins the labellings before and after a move.
+// Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at
+// two positions become a node and its copy. An edge joins the labellings before and after a move.
 void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const PositionOf& position) {
   const int grid = static_cast<int>(figure.grids.size());
   const Configuration& any = found.nodes.at(0).reading.configuration;
@@ -71,8 +71,8 @@ void add_grid(GridFigure& figure, const Exploration& found, const std::string& p
     if (found.shape.type().symmetric() && c.degenerate() && !c.merged())
       add_node(theory::other_labelling(found.shape.type(), c), i, node);
   }
-  // A move and its inverse join the same two positions, so every edge is met twice. Two edges may join the same two nodes,
-  // or one node with itself, where labellings share a position.
+  // A move and its inverse join the same two positions, so every edge is met twice. Two edges may join the same two
+  // nodes, or one node with itself, where labellings share a position.
   std::map<std::pair<int, int>, int> drawn;
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
@@ -107,8 +107,8 @@ void add_regular(GridFigure& figure, PairType type, int length, const PositionOf
            "L" + std::to_string(length) + "_", position);
 }
 
-// Axes a fixed angle apart, numbered clockwise. Quadrant p lies between the axes p and p - 1, so (x,0,p) and (0,x,p+1) lie
-// on the same axis.
+// Axes a fixed angle apart, numbered clockwise. Quadrant p lies between the axes p and p - 1, so (x,0,p) and (0,x,p+1)
+// lie on the same axis.
 Position on_axes(const Configuration& c, double first, double apart, double x, double y) {
   const double u = first - apart * (c.p - 1), v = u + apart;
   const auto m = static_cast<double>(c.d1()), n = static_cast<double>(c.d2());

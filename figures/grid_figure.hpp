@@ -71,7 +71,8 @@ GridFigure figure_12(int d1, int d2, int m, int n);
 
 // The grid of any hexagon, as a part of a half cube.
 GridFigure hexagon_figure(const std::vector<theory::Integer>& sides);
-// The half cube of the regular hexagon, cut open along one edge and laid flat: three quadrants, with the cut drawn twice.
+// The half cube of the regular hexagon, cut open along one edge and laid flat: three quadrants, with the cut drawn
+// twice.
 GridFigure unfolded_figure(int length);
 // The grids of side L and L - 1 on top of each other, with each cone opened to a disk: level s = m + n is the circle of
 // radius s. Each edge of one grid crosses an edge of the other, its dual.

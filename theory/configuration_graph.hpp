@@ -26,8 +26,8 @@ GridPoint step_offset(PairType type, int step);
 // The step that undoes a step.
 inline int reverse_step(int step) { return (step + 2) % kStepCount; }
 
-// The labelling that a step leads to, strips included; p stays. The result need not be canonical. It is no
-// configuration if an entry is out of range: see is_configuration().
+// The labelling that a step leads to, strips included; p stays. The result need not be canonical. If an entry is out of
+// range it is not a configuration at all (is_configuration()).
 Configuration stepped(PairType type, const Configuration& from, int step);
 bool is_configuration(const Configuration& c);
 
@@ -53,7 +53,7 @@ struct ConfigurationMap {
   std::vector<MapNode> nodes;          // in the order of parameter_set(), the merged ones last
   std::map<Configuration, int> index;  // of canonical configurations
 
-  // The index of a configuration, given by any labelling; -1 if it is not in the map.
+  // The index of a configuration, given by any of its labellings, or -1 if it is not in the map.
   int find(const Configuration& labelling) const;
 };
 

@@ -1,5 +1,5 @@
-// The predicted configuration graph in a few bytes for each configuration, for regions with hundreds of thousands of
-// them. Configurations are numbers rather than nodes, and moves are worked out on request.
+// The predicted configuration graph of regions with hundreds of thousands of configurations, in a few bytes for each.
+// Configurations are numbers rather than nodes, and moves are computed on request.
 //
 // A configuration is found by its grid point and p. Its moves have the slots of MapNode::moves
 // (configuration_graph.hpp); a test compares the two representations move by move.
@@ -41,7 +41,7 @@ class ConfigurationTable {
 
   std::size_t bytes() const { return number_.capacity() * sizeof(number_[0]); }
 
-  // The number of the configuration at a canonical place (d2 = 0 rather than d1 = 0); -1 if there is none. O(1).
+  // The number of the configuration at a canonical place (d2 = 0 rather than d1 = 0), or -1 if there is none. O(1).
   int find(const Place& place) const;
 
   // A move. A pair has kStepCount slots for moves, the merged one rotation_count().

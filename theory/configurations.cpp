@@ -93,7 +93,7 @@ IntegerVector region_sides(PairType type, const Configuration& c) {
 
 namespace {
 
-// The longest d that a side can hold beside two strips, over the sides that d adds to.
+// The largest d that fits beside two strips on every side whose length d adds to.
 Integer longest(const IntegerVector& sides, const IntegerVector& offset) {
   Integer bound = kMaxLength;
   for (Eigen::Index i = 0; i < sides.size(); ++i) {

@@ -1,10 +1,9 @@
-// Parameter sets: every configuration of a pair that the side lengths of a region allow, each exactly once.
+// Parameter sets: all configurations of a pair that the side lengths of a region allow, each exactly once.
 //
 // Terms
-//   labelling       the numbers 1..k laid on the sides of a region so that theory-1 (pair_system.hpp) holds. Label i is
-//   on
-//                   side i + p - 1 of the region; p counts from 1. If the valences are equal, p and p + k/2 only swap
-//                   v1 and v2; so p runs over 1..k/2. This is the third index of Theorem 7.3.
+//   labelling       the numbers 1..k laid on the sides of a region so that theory-1 (pair_system.hpp) holds. Label i
+//                   lies on side i + p - 1 of the region; p counts from 1. If the valences are equal, p and p + k/2
+//                   differ only by a swap of v1 and v2, so p runs over 1..k/2. It is the third index of Theorem 7.3.
 //   configuration   a requadrangulation with its pair, up to isomorphisms that fix the boundary.
 //
 // theory-3  (d, 0, p) with strips e is the configuration (0, d, p + 1) with strips shifted by one, e'_i = e_{i+1}.
@@ -44,7 +43,8 @@ struct GridPoint {
 };
 GridPoint grid_point(PairType type, const Configuration& configuration);
 
-// "(m,n)", or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3); the merged configuration is "(0,0)".
+// "(m,n)", or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3); the merged configuration is
+// "(0,0)".
 std::string label(PairType type, const Configuration& configuration);
 std::string label(PairType type, const GridPoint& at, int p);
 
@@ -54,19 +54,19 @@ std::string parameters_problem(PairType type, const StripParameters& parameters)
 
 // The second labelling of a degenerate configuration (theory-3). Precondition: exactly one of d1, d2 is 0.
 Configuration other_labelling(PairType type, const Configuration& configuration);
-// The labelling that stands for a configuration: d2 = 0 rather than d1 = 0, and p = 1 for the merged one. Accepts any
+// The canonical labelling of a configuration: d2 = 0 rather than d1 = 0, and p = 1 for the merged one. Accepts any
 // labelling with p in 1..k.
 Configuration canonical(PairType type, Configuration configuration);
 
-// Side lengths of the region of a configuration, from side 1 of the region (not of the labelling) on.
+// The side lengths of a configuration's region. They start with side 1 of the region, not of the labelling.
 IntegerVector region_sides(PairType type, const Configuration& configuration);
 
-// Every configuration of the region that still holds the pair, canonical, sorted by p, d1, d2, e. O(L^2) solves of the
-// system, L the longest side.
+// All configurations of the region that hold the pair, canonical and sorted by p, d1, d2, e. Merged ones are not among
+// them. Solves the system O(L^2) times, where L is the longest side.
 std::vector<Configuration> parameter_set(const RegionShape& shape);
 
-// The merged configurations (0,0): the positive solutions of E_i = e_{i-1} + e_{i+1}. One at most, unless 4 divides k;
-// none if the valences differ.
+// The merged configurations (0,0): the positive solutions of E_i = e_{i-1} + e_{i+1}. There is at most one unless 4
+// divides k, and none if the valences differ.
 std::vector<Configuration> merged_configurations(const RegionShape& shape);
 
 }  // namespace requad::theory

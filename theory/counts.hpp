@@ -6,8 +6,8 @@
 
 namespace requad::theory {
 
-// tau as Theorem 7.2 writes it, in N = floor(L/2). A template, so that the expression that counts is also the one that
-// is proved for all L, with a polynomial for N (proofs.hpp).
+// tau as Theorem 7.2 writes it, in N = floor(L/2). It is a template, so that the proof for all L, in which N is a
+// polynomial (proofs/proofs.hpp), is about the very expression that counts.
 template <class Number>
 Number tau_from_half(const Number& n, bool even) {
   return even ? n * (n - 1) : n * n;

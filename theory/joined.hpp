@@ -1,4 +1,4 @@
-// Numbers in a row as text.
+// Sequences of numbers as text.
 #pragma once
 
 #include <string>

@@ -2,13 +2,12 @@
 //
 // Terms (paper, section 7; used by every header of this folder)
 //   pair            two irregular vertices v1, v2 of valences l1 >= l2 >= 3 inside a convex region R.
-//   R_alpha         the d1 x d2 grid between them (Lemma 7.8). v1 and v2 are opposite corners of it. If d1 or d2 is 0,
-//   it
-//                   is a segment.
+//   R_alpha         the d1 x d2 grid between v1 and v2, which are opposite corners of it (Lemma 7.8). If d1 or d2 is
+//                   0, it is a segment.
 //   leg             a separatrix of v1 or v2 that runs along R_alpha. Each vertex has two.
-//   outward         any other separatrix: l1 - 2 of v1 and l2 - 2 of v2. They are numbered 1..k counter-clockwise round
-//   R,
-//                   those of v1 first. k = l1 + l2 - 4 = 4 - G(R) is also the number of sides of R (Lemma 7.9).
+//   outward         any other separatrix. v1 has l1 - 2 of them and v2 has l2 - 2. They are numbered 1..k
+//                   counter-clockwise round R, those of v1 first. k = l1 + l2 - 4 = 4 - G(R) is also the number of
+//                   sides of R (Lemma 7.9).
 //   side i          the side of R that crosses outward separatrix i at a right angle. Its length is E_i >= 1 edges.
 //   strips e_i      the number of quad strips between R_alpha and side i (Lemmas 7.12-7.14). e_i >= 1 unless an
 //                   irregular vertex lies on the boundary.
@@ -42,7 +41,8 @@ using IntegerMatrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
 inline IntegerVector to_vector(const std::vector<Integer>& values) {
   return IntegerVector::Map(values.data(), static_cast<Eigen::Index>(values.size()));
 }
-// v with v'_i = v_{i + by}, indices modulo k: what label i reads when label 1 lies on entry `by` (0-based). O(k).
+// The vector v' with v'_i = v_{i + by}, indices modulo k: label i reads v'_i when label 1 lies on entry `by` (0-based).
+// O(k).
 IntegerVector rotated(const IntegerVector& v, Eigen::Index by);
 
 // The greatest length that parameters may have. Products of two lengths, and sums of a few of these, fit in 64 bits.
@@ -58,8 +58,8 @@ struct PairType {
   bool symmetric() const { return l1 == l2; }
   // The number of ways to lay the labels 1..k on the sides. Labellings that only swap two equal vertices count once.
   int rotation_count() const { return symmetric() ? side_count() / 2 : side_count(); }
-  // Whether the labels of one region's configurations have a third index p: (d1, d2, p) as in Theorem 7.3. For different
-  // valences the sides of a region fix p (Theorem 7.4).
+  // Whether the labels of one region's configurations have a third index p: (d1, d2, p) as in Theorem 7.3. For
+  // different valences the sides of a region fix p (Theorem 7.4).
   bool has_third_index() const { return symmetric() && rotation_count() > 1; }
   // "3-3", "5-5", "3-5": the smaller valence first, as the paper writes it.
   std::string name() const;
@@ -70,7 +70,7 @@ struct PairType {
 inline constexpr PairType kDigon{3, 3};
 inline constexpr PairType kHexagon{5, 5};
 inline constexpr PairType kQuad{5, 3};
-// The one of these three with this name; "5-3" is accepted too. Nothing if there is none.
+// The pair type with this name; "5-3" is accepted for "3-5". Returns nothing if there is none.
 std::optional<PairType> pair_type(std::string_view name);
 
 // (d1, d2, e_1..e_k): the separatrix-strip parameters.
@@ -120,8 +120,8 @@ class PairSystem {
 };
 
 // All positive solutions of e_{i-1} + e_{i+1} = c_i (indices modulo k = c.size() >= 1), in lexicographic order. This is
-// the system of a single vertex (Theorem 7.1), and what is left of theory-1 when d1, d2 are given. There is at most one
-// solution unless 4 divides k.
+// the system of a single vertex (Theorem 7.1), and theory-1 becomes this system when d1 and d2 are given. There is at
+// most one solution unless 4 divides k.
 std::vector<IntegerVector> solve_circulant(const IntegerVector& c);
 
 // The exact determinant, by fraction-free elimination (Bareiss). Precondition: the matrix is square, and its minors fit

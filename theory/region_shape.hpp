@@ -1,7 +1,7 @@
-// The shape of a convex region with a pair: the pair's type and the side lengths, checked once and then taken as read.
+// The shape of a convex region with a pair: the pair's type and the side lengths. The constructor checks them.
 //
 // Terms
-//   labelling p     the labels 1..k laid on the sides so that label i is on side i + p - 1, indices modulo k.
+//   labelling p     the labels 1..k on the sides, so that label i lies on side i + p - 1, indices modulo k.
 //   regular         all sides are equal.
 #pragma once
 
@@ -27,7 +27,7 @@ class RegionShape {
   // theory-1 for this type.
   const PairSystem& system() const { return system_; }
   int side_count() const { return type().side_count(); }
-  // E_1..E_k, from side 1 of the region on.
+  // E_1..E_k, in the order of the region's sides.
   const IntegerVector& sides() const { return labelled_.front(); }
   // The lengths of the sides that bear the labels 1..k of labelling p. Precondition: 1 <= p <= k.
   const IntegerVector& labelled_sides(int p) const { return labelled_[static_cast<std::size_t>(p - 1)]; }

@@ -2,14 +2,13 @@
 //
 // Terms
 //   crossing     (S, u) of one separatrix: the side that it meets, and the distance from the start of that side. Here
-//   it
-//                has the separatrix's length too, which the theorem does not need.
+//                a crossing also has the separatrix's length, which the theorem does not need.
 //   frame order  the separatrices of a vertex counter-clockwise: first leg, second leg, outward ones. R_alpha lies
-//   between
-//                the two legs.
+//                between the two legs.
 //
-// theory-5  with a labelling (d1, d2, e, p) and sides E, label i on side i + p - 1 of the region (indices modulo k), f
-//           and l the labels of a vertex's first and last outward separatrix, primed for the other vertex:
+// theory-5  Let (d1, d2, e, p) be a labelling with sides E, so that label i lies on side i + p - 1 of the region
+//           (indices modulo k). Let f and l be the labels of a vertex's first and last outward separatrix, and f' and
+//           l' those of the other vertex. Then
 //             outward separatrix i   meets side i at e_{i-1} + (d1 if i is a first one), after e_i edges
 //             first leg              meets side f' at e_{f'-1}, after d2 + e_{f'} edges
 //             second leg             meets side l' at E_{l'} - e_{l'+1}, after d1 + e_{l'} edges
@@ -17,8 +16,8 @@
 // first leg before the first outward separatrix, the second leg beyond the last. A leg that joins the two vertices
 // meets no side (the second legs do if d2 = 0).
 //
-// theory-6  (Theorem 7.11) So the vector determines the labelling: e_{i-1} is where the first crossing of side i lies,
-//           e_{i+1} what is left of the side after the last one, d1 and d2 are what lies between.
+// theory-6  (Theorem 7.11) So the vector determines the labelling: e_{i-1} is the position of the first crossing of
+//           side i, e_{i+1} is the rest of the side after the last crossing, and d1 and d2 are the distances between.
 #pragma once
 
 #include <array>
@@ -36,7 +35,7 @@ struct Crossing {
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-// The most sides that a region may have here. Fixed arrays spare allocations.
+// The most sides that a region may have here. The arrays have a fixed size, so nothing is allocated.
 inline constexpr int kMostSides = 8;
 inline constexpr int kMostSeparatrices = 8;  // of one vertex
 
@@ -66,13 +65,14 @@ struct Located {
   int leg1 = 0;          // index of the first leg in at_v1
   int leg2 = 0;          // in at_v2
 };
-// Finds the labelling that has this vector, lengths included (theory-6); nothing if there is none. The crossings are
-// counter-clockwise from any separatrix of each vertex. O(l1 l2), without allocation.
+// Finds the labelling that has this vector, lengths included (theory-6). Returns nothing if there is none. The
+// crossings of each vertex are in counter-clockwise order and may start with any separatrix. O(l1 l2), without
+// allocation.
 std::optional<Located> locate(const RegionShape& shape, std::span<const Crossing> at_v1,
                               std::span<const Crossing> at_v2);
 
 // The same for the merged vertex, whose separatrix i meets side i at e_{i-1}, after e_i edges. Returns the index of the
-// separatrix that meets side 1; -1 if no merged vertex has this vector.
+// separatrix that meets side 1, or -1 if no merged vertex has this vector.
 int locate_merged(const RegionShape& shape, std::span<const Crossing> at_v);
 
 }  // namespace requad::theory

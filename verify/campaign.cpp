@@ -49,10 +49,10 @@ std::string campaign_name(const std::string& version, const std::vector<const Cl
 
 namespace {
 
-// The results of the cases; nothing where a case is still to be run.
+// The results of the cases. A case that is still to be run has none.
 using Results = std::vector<std::optional<CaseResult>>;
 
-// Counts regions; or the configurations that a walk visits, which alone can take long for one region.
+// Counts regions or, if walks are asked for, the configurations they visit: a walk of one region can take long.
 class CampaignProgress {
  public:
   CampaignProgress(const CaseList& list, bool by_configurations, bool quiet)
@@ -95,7 +95,7 @@ void take_from_journal(Journal& journal, Results& results, CampaignProgress& pro
   journal.results().clear();
 }
 
-// A guess at the relative cost of a case.
+// An estimate of the relative cost of a case.
 struct Cost {
   double operator()(const PairCase& pair) const {
     return std::pow(static_cast<double>(pair.shape.perimeter()), 4) * pair.shape.type().rotation_count();
@@ -106,7 +106,7 @@ struct Cost {
   }
 };
 
-// The cases without a result, the costliest first, so that no thread or process is left with one at the end.
+// The cases without a result. The costliest come first, so that none of them is left for the end.
 std::vector<std::size_t> still_to_do(const CaseList& list, const Results& results) {
   std::vector<std::size_t> todo;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -118,7 +118,8 @@ std::vector<std::size_t> still_to_do(const CaseList& list, const Results& result
   return todo;
 }
 
-// What the cases say about the claim whose judgements have this index. Moves the table's rows out of the results.
+// Sums up the judgements of all cases about one claim, which have this index. Moves the table's rows out of the
+// results.
 ClaimResult summed_up(const Claim& claim, std::size_t index, const CaseList& list, Results& results) {
   ClaimResult total;
   total.claim = &claim;

@@ -1,4 +1,4 @@
-// A campaign checks claims on many regions in parallel. Its results do not depend on the number of threads.
+// A campaign checks claims on many regions in parallel. The number of threads does not change its results.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ struct FamilyTotal {
 struct ClaimResult {
   const Claim* claim = nullptr;
   std::int64_t instances = 0;  // regions judged
-  std::set<Method> methods;    // those that were used
+  std::set<Method> methods;    // used by the check
   std::map<Family, FamilyTotal> totals;
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
-  double seconds = 0;                  // of judging, summed over threads
+  double seconds = 0;                  // spent on judging, summed over threads
   std::optional<Violation> violation;  // the first in the order of the cases
   std::optional<RegionCase> violating_region;
   std::optional<theory::Proof> proof;  // for every size, where linear algebra decides the claim
@@ -39,7 +39,7 @@ void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof);
 struct CampaignResult {
   std::vector<ClaimResult> claims;
   std::map<Family, std::int64_t> empty;
-  double study_seconds = 0;  // of exploring, summed over threads
+  double study_seconds = 0;  // spent on studies, summed over threads
   bool passed() const;
 };
 
@@ -50,12 +50,12 @@ using Distribute = std::function<void(const std::vector<std::size_t>& todo, cons
 struct Running {
   int threads = 0;  // of this process; 0: all cores
   bool quiet = false;
-  Journal* journal = nullptr;  // its results are taken over, all others are added to it
+  Journal* journal = nullptr;  // if given, supplies the results it has and receives all others
   Distribute distribute = {};  // if given, replaces the threads of this process
 };
 
-// Runs the claims on the cases. The result depends on neither `running` nor the order in which cases end, but for
-// seconds.
+// Checks the claims on the cases. Apart from the seconds, the result depends neither on `running` nor on the order in
+// which cases end.
 CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list,
                             const std::set<Method>& methods, const Running& running);
 

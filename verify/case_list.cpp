@@ -35,7 +35,7 @@ void for_each_necklace(int k, Integer sum, Visit&& visit) {
       self(self, at + 1, left - x);
     }
   };
-  // The first entry is the least, so the others need not go below it.
+  // The first entry is the least one, so the others start from it.
   for (Integer first = 1; first * k <= sum; ++first) {
     sides[0] = first;
     if (k == 1) {
@@ -47,7 +47,8 @@ void for_each_necklace(int k, Integer sum, Visit&& visit) {
 }
 
 void add_pair(CaseList& list, RegionShape shape) {
-  // Empty only if both the closed form and the parameter set say so; if they differ, the claim will.
+  // A region is empty only if the closed form and the parameter set both say so. If they differ, it is listed, and the
+  // claim fails.
   if (theory::exact_count(shape) == 0 && theory::parameter_set(shape).empty()) {
     ++list.empty[family_of(PairCase{shape})];
   } else {
@@ -85,7 +86,7 @@ void add_single_vertices(CaseList& list, program::Range perimeters) {
 }
 
 void add_three_vertices(CaseList& list, program::Range perimeters) {
-  // Valences, and the largest perimeter: the number of fillings grows with its fourth power and more.
+  // Valences and the largest perimeter. The number of fillings grows at least with the fourth power of the perimeter.
   const std::vector<std::pair<std::vector<int>, Integer>> kinds{
       {{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
   for (const auto& [valences, largest] : kinds) {

@@ -24,13 +24,14 @@ struct CaseList {
   std::map<Family, std::int64_t> empty;  // regions for a pair that have no configuration
 };
 
-// Lists each region once up to rotation of its sides; families in order, then by perimeter, then by sides.
-//   pairs            all regions of the ranges that have a configuration. The others have an empty parameter set and an
-//                    exact count of 0, and are only counted.
-//   single vertices  regular regions of sides 2, 3, 4, 6 and 8 for the valences 2 to 12 (4 is the regular grid); and
-//   all
-//                    regions of other_perimeter up to 20 for the valences 2 to 9 but 4, with a configuration or without
-//   three vertices   all regions of other_perimeter for three v3 or v5, up to perimeter 18 to 22
+// Lists each region once up to rotation of its sides, ordered by family, then by perimeter, then by sides.
+//   pairs            all regions of the ranges that have a configuration. Regions whose parameter set is empty and
+//                    whose exact count is 0 are not listed, but counted in `empty`.
+//   single vertices  regular regions of sides 2, 3, 4, 6 and 8 for the valences 2 to 12 (4 is the regular grid), and
+//                    all regions of other_perimeter up to 20 for the valences 2 to 9 except 4, with or without a
+//                    configuration.
+//   three vertices   all regions of other_perimeter for three vertices, each a v3 or a v5, up to perimeters between 18
+//                    and 22 that depend on the valences.
 CaseList list_cases(const Ranges& ranges, const std::set<Family>& families);
 
 }  // namespace requad::verify

@@ -55,7 +55,7 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
 
 namespace {
 
-// Without the gaps of its ids: no report and no file shows them.
+// The mesh without gaps in its ids. No report and no file shows these gaps.
 ordered_json region_json(const mesh::Region& region) {
   const auto faces = region.mesh.faces();
   std::size_t root = 0;
@@ -82,7 +82,7 @@ mesh::Region region_from(const ordered_json& json) {
 
 }  // namespace
 
-// Claims that say nothing about the region are left out: most of them, mostly.
+// Leaves out the claims that do not apply to the region, which are most of them.
 ordered_json to_json(const CaseResult& result) {
   ordered_json json{{"study_seconds", result.study_seconds}, {"claims", ordered_json::array()}};
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a campaign keeps of one region, and its JSON for journals (journal.hpp) and for other processes.
+// The result of a campaign for one region, and its JSON for journals (journal.hpp) and for other processes.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct CaseResult {
 CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& selected,
                     const std::set<Method>& methods, const enumerate::WalkProgress& progress = {});
 
-// Converts a result to JSON and back. What comes back makes the same report, byte for byte, and the same violating
+// Converts a result to JSON and back. The converted result makes the same report, byte for byte, and the same violating
 // mesh.
 nlohmann::ordered_json to_json(const CaseResult& result);
 // Throws std::invalid_argument or an exception of the JSON library if the JSON is no result for this number of claims.

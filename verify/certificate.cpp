@@ -15,7 +15,7 @@ namespace {
 using mesh::QuadMesh;
 using mesh::VertexId;
 
-// Names of a mesh's vertices in the certificate: the boundary first, from the root; a vertex keeps its name for good.
+// Names of a mesh's vertices in the certificate. The boundary comes first, from the root. A vertex keeps its name.
 class Names {
  public:
   explicit Names(const mesh::Region& region) {
@@ -24,7 +24,7 @@ class Names {
       if (!region.mesh.is_boundary(v)) add(v);
     }
   }
-  void add(VertexId v) { name_[v] = next_++; }  // an id that is used again is another vertex
+  void add(VertexId v) { name_[v] = next_++; }  // a reused id stands for a new vertex
   std::string operator[](VertexId v) const { return std::to_string(name_.at(v)); }
 
  private:
@@ -42,7 +42,7 @@ std::string mesh_text(const mesh::Region& region) {
   return text;
 }
 
-// The script of a move in vertex names, made again on the mesh it starts from.
+// The script of a move in vertex names. The script is applied to a copy of the mesh it starts from.
 std::string script_text(const mesh::Region& region, const std::vector<mesh::BasicOperation>& script) {
   using Kind = mesh::BasicOperation::Kind;
   QuadMesh m = region.mesh;
@@ -85,7 +85,7 @@ std::string certificate_text(const PairStudy& s) {
               std::to_string(node.region.mesh.vertex_count()) + " faces " +
               std::to_string(node.region.mesh.face_count()) + "\n" + mesh_text(node.region);
   }
-  // One direction of each edge; of the two directions of a self-loop, every other one met.
+  // Writes one direction of each edge. A self-loop is met in both directions; every other one is written.
   std::map<int, bool> second_half;
   for (const enumerate::FoundMove& move : s.found.moves) {
     if (move.to < move.from) continue;  // refused, or the other direction

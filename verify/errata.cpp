@@ -16,7 +16,7 @@ enumerate::Exploration explored(theory::PairType type, int length, theory::Apex 
   return enumerate::explore_all(theory::RegionShape::regular(type, length), apex);
 }
 
-// The first regular region for which `shows` has something to tell.
+// The first regular region for which `shows` returns a text.
 std::optional<Erratum> first_instance(theory::PairType type, theory::Apex apex, Erratum erratum,
                                       const std::function<std::string(int, const enumerate::Exploration&)>& shows) {
   for (int length = 3; length <= kLongestSide; ++length) {

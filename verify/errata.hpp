@@ -1,5 +1,5 @@
 // Slips in the paper's text. Each is found by comparing the text with what moves find, and comes with the smallest
-// region that shows it. They are matters of wording: the theorems hold as the claims here state them.
+// region that shows it. All of them are matters of wording: the theorems hold as the claims here state them.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace requad::verify {
 struct Erratum {
   std::string where;
   std::string written;   // what the text says
-  std::string found;     // what is the case
+  std::string found;     // what is true
   std::string instance;  // the region that shows it
 };
 

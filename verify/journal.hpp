@@ -1,8 +1,8 @@
-// A journal of a campaign: the results of its cases as they come, in a file of records (mesh/program/journal_file.hpp).
-// A case whose record was torn is run again; one that stands there twice is damage.
+// The journal of a campaign: a file of records (mesh/program/journal_file.hpp), one for each case that was run. A case
+// whose record is torn is run again. A file with two records of one case is damaged.
 //
-// It belongs to one run: the same version, claims, methods and regions. What changes no result (threads, reports,
-// processes) may differ.
+// A journal belongs to one combination of version, claims, methods and regions. Runs may share it although they differ
+// in what does not change results: threads, processes and reports.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class Journal {
 
   // The results that the file held when it was opened, by case.
   std::map<std::size_t, CaseResult>& results() { return results_; }
-  // May be called by any thread. Throws program::UsageError if the disk is full; all earlier records are safe then.
+  // Safe from any thread. Throws program::UsageError if the disk is full. Earlier records are not lost then.
   void append(std::size_t index, const CaseResult& result);
 
  private:

@@ -164,7 +164,7 @@ std::string cell(const ordered_json& value) {
   return text;
 }
 
-// Rows with the same keys, as a table with a line of headings.
+// A table with a line of headings. All rows must have the same keys.
 std::string html_table(const ordered_json& rows) {
   std::string html = "<table>\n<tr>";
   for (const auto& [key, value] : rows.front().items()) html += "<th>" + escaped(key) + "</th>";
@@ -183,7 +183,7 @@ std::string html_table(const ordered_json& rows) {
   return html;
 }
 
-// The proof for all sizes, set apart from the instances.
+// The proof for all sizes, shown separately from the instances.
 std::string html_proof(const ordered_json& proof) {
   const bool proved = proof["proved"].get<bool>();
   std::string html = std::string(R"(<details class="proof"><summary><span class=")") +

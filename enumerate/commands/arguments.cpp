@@ -35,7 +35,7 @@ theory::RegionShape required_shape(const Options& options) {
   if (const std::string problem = theory::RegionShape::problem(type, sides); !problem.empty())
     throw UsageError("--sides: " + problem);
   theory::RegionShape shape(type, std::move(sides));
-  // What exploring would keep in memory: the mesh of every configuration.
+  // An exploration would keep the mesh of every configuration in memory.
   constexpr double kMostQuads = 2e8;
   const auto longest = static_cast<double>(shape.longest());
   const double area = longest * longest / 2;

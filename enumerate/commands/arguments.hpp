@@ -1,4 +1,4 @@
-// What several commands of requad-enumerate take from their arguments, and how they end.
+// Arguments and results that several commands of requad-enumerate have in common.
 #pragma once
 
 #include <optional>
@@ -17,23 +17,23 @@ namespace requad::enumerate {
 
 // --- regions with a pair ---------------------------------------------------------------------------------------------
 
-// --sides and --pair.
+// The options --sides and --pair.
 std::vector<program::Option> pair_region_options();
-// Their values: the pair alone, or the shape of the region. Throw UsageError if one is missing or wrong, and if exploring
-// the region would keep more in memory than is reasonable.
+// Their values: the pair alone, or the shape of the region. Throw UsageError if a value is missing or wrong, or if an
+// exploration of the region would need more memory than is reasonable.
 theory::PairType required_pair(const program::Options& options);
 theory::RegionShape required_shape(const program::Options& options);
 
 // --- searches --------------------------------------------------------------------------------------------------------
 
-// --irregular, --list, --limit-seconds and --journal.
+// The options --irregular, --list, --limit-seconds and --journal.
 std::vector<program::Option> search_options();
-// The values of --irregular; none for ''. Throws UsageError.
+// The values of --irregular; '' means none. Throws UsageError.
 std::vector<int> irregular_valences(const program::Options& options);
-// --limit-seconds, --max-faces and --threads. `progress` must outlive the search.
+// The limits that --limit-seconds, --max-faces and --threads give. `progress` must outlive the search.
 SearchLimits search_limits(const program::Options& options, program::Progress& progress);
-// The journal of --journal, if it is given, for the run of this build that `run` describes. The result must depend on
-// nothing else.
+// The journal that --journal names, or nothing without --journal. `run` describes the run. The result of the run must
+// depend on nothing but `run` and this build.
 std::optional<SearchJournal> search_journal(const program::Options& options, const std::string& run);
 
 // --- values and results ----------------------------------------------------------------------------------------------
@@ -41,10 +41,10 @@ std::optional<SearchJournal> search_journal(const program::Options& options, con
 std::vector<int> as_ints(const theory::IntegerVector& values);
 // The integers of an option, each in 0..100000. Throws UsageError.
 std::vector<int> required_ints(const program::Options& options, const std::string& name);
-// Each text on a line.
+// Prints each text on a line of its own.
 std::string lines_of(const std::vector<std::string>& texts);
 
-// Ends a command as program::finish() does, and writes the region to -o if that is given.
+// Ends a command as program::finish() does. Writes the region to the file of -o if that is given.
 void finish(const program::Options& options, const nlohmann::ordered_json& summary, const std::string& text,
             const mesh::Region* region = nullptr, const std::string& comment = "");
 

@@ -1,4 +1,4 @@
-// The commands of requad-enumerate, each in a source of its own name. main.cpp has the table of them.
+// The commands of requad-enumerate. Each is in the source that has its name. main.cpp has the table of all.
 #pragma once
 
 #include "mesh/program/program.hpp"

@@ -15,7 +15,7 @@ using program::UsageError;
 using theory::Configuration;
 using theory::PairType;
 
-// How labels of this type are written.
+// The form in which labels of this type are written.
 const char* label_form(PairType type) {
   if (!type.symmetric()) return "m,n";
   return type.has_third_index() ? "d1,d2,p" : "d1,d2";

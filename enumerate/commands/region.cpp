@@ -1,4 +1,4 @@
-// requad-enumerate region: makes the region that has given parameters.
+// requad-enumerate region: makes the region with given parameters.
 
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"

@@ -20,7 +20,7 @@ std::vector<int> side_lengths(const Options& options) {
   return sides;
 }
 
-// What is searched, in words that tell the runs of a journal apart.
+// A description of the search that tells the runs of a journal apart.
 std::string run_text(const Options& options, const std::vector<int>& sides, const SearchProblem& problem,
                      const SearchLimits& limits) {
   std::string text = (sides.empty() ? "search, interior quads " + theory::joined(problem.interior_quads, ",")
@@ -36,7 +36,7 @@ ordered_json summary_of(const Options& options, const std::vector<int>& sides, c
   const bool complete = found.outcome.complete();
   ordered_json json{{"sides", sides}, {"irregular", problem.irregular}};
   if (!options.has("sides")) json["interior_quads"] = problem.interior_quads;
-  // A search that was stopped has no count, but a lower bound. The numbers up to a face limit are exact all the same.
+  // A search that was stopped has a lower bound instead of a count. The numbers up to a face limit are exact even so.
   json["count"] = complete ? ordered_json(found.outcome.count) : ordered_json(nullptr);
   if (!complete) json["at_least"] = found.outcome.count;
   json["complete"] = complete;

@@ -8,7 +8,7 @@ namespace requad::enumerate {
 
 namespace {
 
-// How often a search asks whether it is to stop or to give work away.
+// The number of states after which a search asks whether it is to stop or to give work away.
 constexpr std::int64_t kStatesBetweenLooks = 1024;
 
 }  // namespace
@@ -70,7 +70,7 @@ void BacktrackingSearch::donate_work(const WorkSharing& sharing) {
   std::size_t i = 0;
   while (i + 1 < levels_.size() && untried(i) == 0) ++i;
   const int given = untried(i);
-  if (given == static_cast<int>(placements_.size())) return;  // there is nothing else: the two would only change places
+  if (given == static_cast<int>(placements_.size())) return;  // this search would have none left
   BacktrackingSearch other = *this;
   other.placements_.resize(static_cast<std::size_t>(given));
   while (other.levels_.size() > i + 1) other.ascend();

@@ -1,14 +1,14 @@
 // The engine of the exhaustive search: backtracking, depth first, on one partial mesh that is changed in place.
 //
-// The search tree. Its root is the partial mesh to start from. The children of a partial mesh are the placements of a quad
-// on one edge of its first hole (placements.hpp says why each filling is then met once); a leaf has no hole, or no
-// placement. Placements that are still to be tried wait on an explicit stack: there is no recursion, and no allocation
-// once the stacks have their size.
+// Search tree. Its root is the partial mesh to start from. The children of a partial mesh are the placements of a quad
+// on one edge of its first hole (placements.hpp says why each filling is then found once). A leaf has no hole or no
+// placement. Untried placements are on an explicit stack, so there is no recursion, and no allocation once the stacks
+// have grown.
 //
-// Guiding paths. The placements on a partial mesh are listed in an order that the mesh alone determines, and tried from
-// the last to the first. So two numbers for each level, which placement was chosen and how many are untried, say what the
-// search has done and what it has still to do. Searches are stopped and resumed by these paths, and share work between
-// threads by splitting them.
+// Guiding paths. The mesh alone determines the order in which its placements are listed, and they are tried from the
+// last to the first. So two numbers for each level describe what the search has done and what remains: which placement
+// was chosen and how many are untried. These paths are used to stop and resume searches, and to share work between
+// threads.
 //
 // Internal: not installed.
 #pragma once
@@ -25,7 +25,7 @@
 
 namespace requad::enumerate {
 
-// Copyable: a copy goes on from where the original stands.
+// A copy continues from where the original stands.
 class BacktrackingSearch {
  public:
   using Visit = std::function<void(const Filling&)>;
@@ -40,17 +40,17 @@ class BacktrackingSearch {
   // Preconditions: start.has_hole(), may_be_filled(start). `control` must outlive the search.
   BacktrackingSearch(PartialMesh start, SearchControl& control);
 
-  // Calls visit for each filling that is still to be found. True when all are found; false if the search was told to
-  // stop, and then run() goes on from there. Every thousand states or so it asks SearchControl whether to stop, and gives
-  // work away if some is wanted: all that is untried on the level nearest to the root, provided that something remains.
+  // Calls visit for each filling that is still to be found. Returns true when all are found, and false if the search
+  // was told to stop; the next run() then continues from there. About every thousand states it asks SearchControl
+  // whether to stop, and it gives work away if some is wanted: all untried placements on the level nearest to the root,
+  // provided that some work remains here.
   bool run(const Visit& visit, const WorkSharing& sharing);
   // The number of quads that the last run() placed.
   std::int64_t states() const { return states_; }
 
   GuidingPath guiding_path() const;
-  // Moves from wherever it stands to where a search with the same start had this path. Places and takes back as many
-  // quads as both paths have levels. Throws std::invalid_argument if the numbers are no path of this search; it stands
-  // anywhere then.
+  // Moves to where a search with the same start had this path. Places and removes as many quads as both paths have
+  // levels. Throws std::invalid_argument if the numbers are not a path of this search; its position is then undefined.
   void go_to(const GuidingPath& path);
 
  private:

@@ -20,7 +20,7 @@ namespace {
 using Clock = SearchControl::Clock;
 using Seconds = std::chrono::duration<double>;
 
-// SharedSearch::remaining() as a record has it.
+// SharedSearch::remaining() as it stands in a record.
 std::vector<std::vector<int>> remaining_in(const ordered_json& json) {
   std::vector<std::vector<int>> remaining;
   for (const ordered_json& subtree : array_in(json)) {
@@ -63,7 +63,7 @@ std::int64_t run_with_journal(SharedSearch& search, SearchControl& control, int 
   }
   if (control.progress) control.progress(states);
   const auto start = Clock::now();
-  // However little time there is, each run gets on.
+  // Each run makes some progress, however little time it has.
   for (bool late = false; !search.done() && !late; late = control.deadline && Clock::now() > *control.deadline) {
     const Seconds wait = std::max(Seconds(Clock::now() - start) / 100, Seconds(journal->least_seconds));
     control.pause = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);

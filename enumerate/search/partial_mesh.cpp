@@ -2,9 +2,10 @@
 
 namespace requad::enumerate {
 
-// Two edges that join the same vertices enclose a disk. If only one of its quads were at one of the two vertices, both
-// edges would be sides of that quad, and it would have the other vertex twice; so at least two are at each, and by
-// Gauss-Bonnet the irregular vertices inside have index 4 or more. A poorer budget needs no test for doubled edges.
+// Two edges that join the same vertices enclose a disk. If one of the two vertices had only one quad in the disk, both
+// edges would be sides of that quad, and the quad would have the other vertex twice. So each vertex has at least two
+// quads there, and by Gauss-Bonnet the irregular vertices inside have index 4 or more. A budget with a smaller index
+// needs no test for doubled edges.
 PartialMesh::PartialMesh(const std::vector<int>& irregular)
     : budget_(irregular), edges_can_double_(budget_.largest_sum() >= 4) {}
 
@@ -86,8 +87,8 @@ void PartialMesh::place(int v, const Placement& placement) {
   least_faces_ += 1 - least_faces(hole.sums) + least_faces(before) + least_faces(middle) + least_faces(after);
 }
 
-// Links the ring of `middle` and returns the node of it from which the rest of the old ring runs on. A new corner is
-// part of this ring only. An old one that has a hole on its other side too gets a second node here.
+// Links the ring of `middle` and returns its node from which the rest of the old ring continues. A new corner lies on
+// this ring only. An old corner that also has a hole on its other side gets a second node here.
 int PartialMesh::close_middle_ring(int v, int w, int x, int y, const Placement& placement) {
   const bool x_is_new = placement.x.node == kNone;
   const bool y_is_new = placement.y.node == kNone;
@@ -112,7 +113,7 @@ void PartialMesh::undo() {
   first_hole_ = record.first_hole;
   holes_.erase(holes_.begin() + record.holes, holes_.end());
   while (static_cast<int>(edges_.size()) > record.edges) {
-    // The two half-edges of an edge lie side by side, so each starts where the other leads.
+    // The two half-edges of an edge are stored side by side, so each starts where its neighbour ends.
     const HalfEdge back = edges_.back();
     edges_.pop_back();
     const HalfEdge forth = edges_.back();

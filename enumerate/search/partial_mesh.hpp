@@ -14,8 +14,8 @@
 //                       v --------- w                   `after` back to v
 //
 // Costs. A placement changes at most six nodes of one ring, so place() and undo() take constant time however large the
-// holes are. Nothing is allocated but where a stack grows beyond its record. Faces and vertices take memory; a copy takes
-// time in proportion.
+// holes are. Memory is allocated only when a stack grows larger than ever before. Memory, and the time of a copy, are
+// in proportion to the faces and vertices.
 //
 // Internal: not installed.
 #pragma once
@@ -33,12 +33,12 @@ namespace requad::enumerate {
 
 // Sums over some nodes of a ring. The pruning rules read them, and each placement carries those of its holes along.
 //
-// Three sums are packed into one word: 21 bits each for the number of nodes and of hole corners, the rest for the sum of
-// need - 2, which has a sign. The limits of problem_with() and kMostFaces keep each within its bits.
+// Three sums are packed into one word. The number of nodes and the number of hole corners have 21 bits each. The signed
+// sum of need - 2 has the rest. The limits of problem_with() and kMostFaces keep each sum within its bits.
 class RingSums {
  public:
   RingSums() = default;
-  // Of one node.
+  // The sums of one node.
   explicit RingSums(int need)
       : packed_(1 + (std::int64_t{need == 1} << kBits) + (std::int64_t{need - 2} << (2 * kBits))) {}
 
@@ -90,7 +90,7 @@ class PartialMesh {
   // An empty mesh. `irregular` are the irregular valences of the vertices that placements will add.
   explicit PartialMesh(const std::vector<int>& irregular);
 
-  // Preparation: what is there before the first placement. Vertices are numbered from 0.
+  // Preparation: vertices, edges and faces before the first placement. Vertices are numbered from 0.
   int add_vertex();
   void add_edge(int a, int b);
   void add_face(const std::array<int, 4>& face) { filling_.faces.push_back(face); }
@@ -103,7 +103,7 @@ class PartialMesh {
 
   // Places a quad on the edge v -> next(v) of the first hole.
   void place(int v, const Placement& placement);
-  // Takes the last quad back. Every array is as it was before place().
+  // Removes the last quad. Every array becomes what it was before place().
   void undo();
 
   const Filling& filling() const { return filling_; }
@@ -116,9 +116,9 @@ class PartialMesh {
   // Whether an edge joins these vertices. Always false for a budget under which no edge can be doubled. O(valence).
   bool adjacent(int a, int b) const;
 
-  // A hole of n edges takes at least n/2 - 1 quads (Euler's formula), and one in any case; no hole takes none.
+  // A hole of n edges takes at least max(1, n/2 - 1) quads (Euler's formula). An empty one takes none.
   static int least_faces(RingSums hole) { return hole.empty() ? 0 : hole.length() > 4 ? hole.length() / 2 - 1 : 1; }
-  // Every filling of this partial mesh has at least so many faces: those that are there and least_faces() of each hole.
+  // A lower bound for the faces of any filling: the faces that are there and least_faces() of each hole.
   int least_faces() const { return least_faces_; }
 
  private:
@@ -126,7 +126,7 @@ class PartialMesh {
     int to;
     int earlier;  // the half-edge that was added before from the same vertex
   };
-  // What undo() needs: the sizes of the stacks before a placement, and what they do not tell.
+  // Data for undo(): the sizes of the stacks before a placement, and what cannot be derived from them.
   struct Record {
     int x_kind, y_kind;
     int nodes, saved, holes, edges, vertices;

@@ -4,8 +4,8 @@ namespace requad::enumerate {
 
 namespace {
 
-// How many edges behind the last change of a hole are looked at for two hole corners side by side: those where a quad
-// just placed can have made them.
+// The number of edges behind the last change of a hole that are searched for two adjacent hole corners. The quad that
+// was placed last can have made them only there.
 constexpr int kEdgesNearChange = 4;
 
 // Discrete Gauss-Bonnet: the irregular vertices in a hole have index 4 - turn.
@@ -13,8 +13,8 @@ bool fits_budget(RingSums hole, const ValenceBudget& budget, const SearchPruning
   return hole.empty() || !pruning.gauss_bonnet || budget.can_sum_to(4 - hole.turn());
 }
 
-// Lists the placements v, w, x, y on one edge v -> w of a hole. For each third corner x the fourth corners y are tried,
-// and for each x and y the ways to divide what they need among the holes on their sides.
+// Lists the placements v, w, x, y on one edge v -> w of a hole. Tries the fourth corners y for each third corner x, and
+// for each x and y all ways to divide their needs among the holes on their sides.
 class PlacementLister {
  public:
   PlacementLister(PartialMesh& mesh, SearchControl& control, std::vector<Placement>& placements)
@@ -68,8 +68,9 @@ class PlacementLister {
   const int least_faces_elsewhere_;  // of any filling: the quad, and what is outside this hole
 };
 
-// The edge v -> w, as v. At a hole corner w only y is to be chosen, between two hole corners nothing. So two corners side
-// by side where the hole changed last are best, then the nearest corner; a pair of corners further off can wait.
+// Chooses the edge v -> w and returns v. If w is a hole corner, only y must be chosen; if v is one too, nothing. So the
+// best edge joins two hole corners where the hole changed last, and the second best ends at the nearest corner. Two
+// adjacent corners farther away can wait.
 int PlacementLister::choose_edge() const {
   if (hole_.sums.corners() == 0) return hole_.node;
   int w = next(hole_.node);
@@ -83,8 +84,8 @@ int PlacementLister::choose_edge() const {
   return previous(w);
 }
 
-// Whether an edge from a to b may cut off the ring of these two nodes and those between: the ring has to be even, and the
-// edge new.
+// Whether an edge from a to b may cut off the ring of these two nodes and those between them. The ring must be even,
+// and there must be no such edge yet.
 bool PlacementLister::may_cut(int a, int b, RingSums between) const {
   if (pruning_.parity && between.length() % 2 != 0) return false;
   return !mesh_.adjacent(vertex(a), vertex(b));
@@ -92,7 +93,7 @@ bool PlacementLister::may_cut(int a, int b, RingSums between) const {
 
 void PlacementLister::try_third_corners() {
   if (is_hole_corner(w_)) {
-    try_fourth_corners(next(w_), {});  // the quad has the next edge of the ring as its side, too
+    try_fourth_corners(next(w_), {});  // the next edge of the ring is a side of the quad, too
     return;
   }
   try_fourth_corners(kNone, {});
@@ -110,7 +111,7 @@ void PlacementLister::try_fourth_corners(int x, RingSums before) {
     divide_needs(x, previous(v_), before, {});
     return;
   }
-  // If the quad has w -> x of the ring as its side, and x gets no other quad, it has the edge after that as its side, too.
+  // If w -> x is an edge of the ring and x gets no other quad, the edge after it is a side of the quad, too.
   const bool x_is_done = x == next(w_) && is_hole_corner(x);
   if (x_is_done || (x != kNone && x != next(w_))) {
     const int y = next(x);
@@ -122,8 +123,8 @@ void PlacementLister::try_fourth_corners(int x, RingSums before) {
   try_concave_fourth_corners(x, before);
 }
 
-// Tries each y of the ring that has a hole on either side. It needs three quads or more, so it is concave. Such nodes are
-// looked for from both ends of the rest of the ring, until all have been seen.
+// Tries each node y of the ring that gets a hole on either side. Such a node needs at least three quads, so it is
+// concave. Searches the rest of the ring from both ends until all concave nodes have been found.
 void PlacementLister::try_concave_fourth_corners(int x, RingSums before) {
   const int end = x == kNone ? w_ : next(x);
   RingSums ahead = beyond_ - before;  // from the node `forth` to previous(v)
@@ -143,9 +144,9 @@ void PlacementLister::try_concave_fourth_corners(int x, RingSums before) {
   }
 }
 
-// Calls then(corner) for each way to complete the corner n of the quad. A new vertex may have any valence that is left; an
-// old one divides what it needs between the hole that lies outside (`outer`) and the one beyond x and y (`inner`), at
-// least one quad for each hole that there is.
+// Calls then(corner) for each way to complete the corner n of the quad. A new vertex may have any valence that is left.
+// An old vertex divides its need between the hole on its outer side, if `outer` is true, and the hole beyond x and y,
+// if `inner` is true. Each of these holes gets at least one quad.
 template <class Then>
 void PlacementLister::for_each_division(int n, bool outer, bool inner, Then&& then) {
   using Corner = Placement::Corner;
@@ -166,8 +167,8 @@ void PlacementLister::for_each_division(int n, bool outer, bool inner, Then&& th
   }
 }
 
-// Lists the placements with these corners. `before` sums over the nodes between w and x, `after` over those between y and
-// v; both are empty where the corners are neighbours or one is new.
+// Lists the placements with these corners. `before` sums over the nodes between w and x, `after` over those between y
+// and v. They are empty where the two corners are neighbours or one is new.
 void PlacementLister::divide_needs(int x, int y, RingSums before, RingSums after) {
   const bool both_old = x != kNone && y != kNone;
   const bool has_before = x != kNone && x != next(w_);
@@ -175,7 +176,7 @@ void PlacementLister::divide_needs(int x, int y, RingSums before, RingSums after
   const bool has_after = y != kNone && y != previous(v_);
   if (both_old && has_middle && mesh_.adjacent(vertex(x), vertex(y))) return;
 
-  RingSums middle = beyond_ - before - after;  // but for x and y
+  RingSums middle = beyond_ - before - after;  // x and y are subtracted next
   if (x != kNone) middle -= sums_at(x);
   if (y != kNone) middle -= sums_at(y);
   if (has_middle && x == kNone) middle += w_left_;

@@ -1,11 +1,11 @@
 // The branching of the backtracking search: which quads may be placed next on a partial mesh.
 //
-// A rule that looks at the partial mesh only chooses an edge of its first hole. Every filling has exactly one quad on that
-// edge, so the branches, one for each placement there, have no filling in common, and together have all of them. That
-// makes the search exact, whatever edge the rule chooses.
+// A rule, which depends on the partial mesh alone, chooses an edge of the first hole. There is one branch for each
+// placement on that edge. Every filling has exactly one quad there, so each filling belongs to exactly one branch. That
+// makes the search exact, whichever edge the rule chooses.
 //
-// A placement is left out if one of the holes that it leaves cannot be filled: it has an odd number of edges, or asks for
-// an index that no part of the budget has, or an edge would be doubled, or the face limit cannot be kept.
+// A placement is left out if it doubles an edge, if the face limit cannot be kept, or if it leaves a hole that cannot
+// be filled: one with an odd number of edges, or one that requires an index which no part of the budget has.
 //
 // Costs. A quad at a hole corner, the usual case, takes constant time besides two walks along the ring: to the nearest
 // hole corner, and over the candidates for the quad's fourth corner, which ends when no concave node is left. A hole
@@ -21,8 +21,8 @@
 
 namespace requad::enumerate {
 
-// Whether the first hole passes the tests of its parity and its index. For the start of a search: the holes that listed
-// placements leave have passed them. Precondition: mesh.has_hole().
+// Whether the first hole passes the tests of its parity and its index. Only the start of a search needs this: holes
+// that listed placements leave have passed the tests. Precondition: mesh.has_hole().
 bool may_be_filled(const PartialMesh& mesh, const SearchPruning& pruning);
 
 // Chooses an edge v -> w of the first hole, appends the placements on it to the list, and returns the node v. What it

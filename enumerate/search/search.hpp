@@ -5,20 +5,19 @@
 //             inside; and the multiset of interior valences other than 4.
 //   filling   a simple quadrangulated disk with this boundary whose interior irregular vertices have exactly these
 //             valences. Simple: no two edges join the same two vertices.
-//   hole      the part of a boundary's inside that has no quads yet. The search starts with one hole and fills it quad by
-//             quad.
+//   hole      a part of the inside that has no quads yet. The search starts with one hole and fills it quad by quad.
 //
 // Law enumerate-4   search() produces every filling precisely once up to isomorphism that fixes every boundary vertex.
 //
-// Degenerate cases are answered, not refused: an odd boundary, or one whose turns do not fit the budget, has no filling.
-// If a limit was reached, the outcome is incomplete, and its count is a lower bound.
+// Degenerate problems are not errors: an odd boundary, or one whose turns do not fit the budget, has no filling. If a
+// limit was reached, the outcome is incomplete, and its count is a lower bound.
 //
-// How. A rule that looks at the partial mesh only chooses an edge of a hole. The quad on it has two more corners. Each is
-// a new vertex, whose valence is chosen from what is left of the budget, or a vertex of the hole's boundary, which cuts
-// the hole in two or three. A filling determines these choices one by one, so no filling is met twice, and none is
-// compared with another. A branch ends when a hole has an odd number of edges; when discrete Gauss-Bonnet asks for an
-// index that no part of the remaining budget has; when an edge would be doubled; or when the face limit cannot be kept (a
-// hole of n edges takes at least n/2 - 1 quads).
+// Method. A rule, which depends on the partial mesh alone, chooses an edge of a hole. The quad on this edge has two
+// more corners. Each is a new vertex, whose valence is chosen from the remaining budget, or a vertex of the hole's
+// boundary. In the second case the hole is cut into two or three. A filling determines these choices one by one. So no
+// filling is found twice, and fillings need not be compared. A branch ends when a hole has an odd number of edges; when
+// discrete Gauss-Bonnet requires an index that no part of the remaining budget has; when an edge would be doubled; or
+// when the face limit cannot be kept (a hole of n edges takes at least n/2 - 1 quads).
 //
 // Irregular vertices whose positive indices 4 - l sum to 4 or more can close a tube. The number of fillings may then be
 // infinite, and without a face limit the search does not end.
@@ -50,12 +49,12 @@ std::string irregular_problem(const std::vector<int>& irregular);
 // Whether the number of fillings can be infinite, so that a search without a face limit may not end.
 bool may_be_infinite(const SearchProblem& problem);
 
-// No search looks for fillings of more faces than this. It bounds the memory of a search that follows a tube without end,
-// at some 300 bytes a face and thread. Any other search ends by itself long before.
+// The largest face limit. It bounds the memory of a search that follows a tube without end, at some 300 bytes for each
+// face and thread. Any other search ends long before.
 inline constexpr int kMostFaces = 100000;
 
-// Rules that end branches without a filling early. None changes what is found. With a rule off, branches may go on without
-// end unless there is a face limit.
+// Rules that end branches without a filling early. None changes what is found. With a rule off, branches may go on
+// without end unless there is a face limit.
 struct SearchPruning {
   bool gauss_bonnet = true;  // the index that a hole asks for is the sum of some part of the budget
   bool parity = true;        // every hole has an even number of edges
@@ -92,19 +91,19 @@ struct SearchOutcome {
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit);
 
-// A file that keeps what was found and what remains. A search that was killed, or ran out of time, goes on when it is
-// called again with its journal, and ends with the same result (mesh/program/journal_file.hpp has the format). It appends
-// to the file each time another hundredth of its time has passed; that is what a kill can lose.
+// A file that keeps what was found and what remains (mesh/program/journal_file.hpp has the format). A search that was
+// killed or ran out of time continues when it is called again with its journal, and ends with the same result. It
+// appends to the file each time another hundredth of its time has passed, and a kill loses no more than that.
 struct SearchJournal {
   std::string path;
-  // A line that tells runs apart. It has to say all that changes the search or its result: not the number of threads, nor
-  // the seconds.
+  // A line that tells runs apart. It must name everything that changes the search or its result. The number of threads
+  // and the seconds do not.
   std::string run;
   double least_seconds = 0.1;  // between two appends
 };
 
-// The number of orbits of the fillings under the symmetries of the boundary. Counted in passing: each filling adds 1 /
-// (length of its orbit).
+// The number of orbits of the fillings under the symmetries of the boundary. Each filling adds 1 / (length of its
+// orbit).
 struct OrbitCount {
   std::int64_t rotations = 0;    // under the rotations that keep the boundary
   std::int64_t reflections = 0;  // under those and the reflections that keep it
@@ -114,7 +113,7 @@ struct CountedSearch {
   OrbitCount orbits;                    // of the fillings that were found; meaningful if all were
   std::vector<std::string> signatures;  // of all fillings, sorted; empty unless they were asked for
 };
-// Throws as search() does, and program::UsageError for a journal that cannot be gone on with.
+// Throws as search() does, and program::UsageError if it cannot continue from the journal.
 CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures,
                              const std::optional<SearchJournal>& journal = {});
 

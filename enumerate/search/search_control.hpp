@@ -16,7 +16,7 @@ namespace requad::enumerate {
 struct SearchControl {
   using Clock = std::chrono::steady_clock;
 
-  // The time that `limits` allows starts to run here.
+  // The time limit of `limits` starts here.
   explicit SearchControl(const SearchLimits& limits);
 
   SearchPruning pruning;
@@ -24,11 +24,11 @@ struct SearchControl {
   std::optional<Clock::time_point> deadline;  // the search ends then
   std::optional<Clock::time_point> pause;     // the search stops then, so that its journal can be written
   std::function<void(std::int64_t)> progress;
-  std::atomic<bool> stop{false};            // every thread stops at its next look
+  std::atomic<bool> stop{false};            // every thread stops when it next looks
   std::atomic<bool> face_limit_cut{false};  // a branch ended at most_faces
 
-  // Reports that so many more states were visited. Returns whether the search is to stop, and sets `stop` if one of the
-  // two times has passed. Safe from any thread if `progress` is.
+  // Reports this many more states. Returns whether the search is to stop. Sets `stop` if one of the two times has
+  // passed. Safe from any thread if `progress` is.
   bool should_stop(std::int64_t states);
 };
 

@@ -1,7 +1,7 @@
-// One search by several threads: the subtrees that are still to be searched, and the workers that search them.
+// A search that several threads share: the subtrees that are still to be searched, and the workers that search them.
 //
-// The subtrees of a search differ in size by orders of magnitude, so none is cut to size beforehand. A worker that has
-// nothing to do waits for what another one gives away (work sharing, backtracking.hpp).
+// Subtrees differ in size by orders of magnitude, so the work is not divided beforehand. A worker without work waits
+// until another one gives some away (work sharing, backtracking.hpp).
 //
 // Internal: not installed.
 #pragma once
@@ -23,8 +23,8 @@ class SharedSearch {
   // The searches to be done, one for each partial mesh to start from. `control` must outlive this.
   SharedSearch(std::vector<BacktrackingSearch> starts, SearchControl& control);
 
-  // Calls visit until nothing remains or SearchControl says stop; from several threads at once unless `threads` is 1. If a
-  // visit throws, all threads stop, and the exception comes out of run(); what remains is unknown then.
+  // Calls visit until nothing remains or SearchControl says stop, from several threads at once unless `threads` is 1.
+  // If a visit throws, all threads stop, and run() rethrows the exception; remaining() is then undefined.
   void run(int threads, const BacktrackingSearch::Visit& visit);
   bool done() const { return subtrees_.empty(); }
   // The number of quads that the last run() placed.
@@ -32,7 +32,7 @@ class SharedSearch {
 
   // What remains, as numbers: for each subtree the index of its start, then its guiding path.
   std::vector<std::vector<int>> remaining() const;
-  // Makes this what remains. Throws std::invalid_argument if the numbers are not such a list of this search.
+  // Replaces what remains. Throws std::invalid_argument if the numbers are not such a list of this search.
   void set_remaining(const std::vector<std::vector<int>>& subtrees);
 
  private:

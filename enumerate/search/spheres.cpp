@@ -35,7 +35,7 @@ int rarest_valence(const std::vector<int>& irregular) {
       ->first;
 }
 
-// What is left of the irregular valences after those of the first quad's corners; nothing if they are not all there.
+// The irregular valences without those of the first quad's corners. Nothing if the former do not contain the latter.
 std::optional<std::vector<int>> without(std::vector<int> irregular, const std::array<int, 4>& corners) {
   for (const int l : corners) {
     if (l == 4) continue;
@@ -59,7 +59,8 @@ PartialMesh one_quad(const std::array<int, 4>& valences, const std::vector<int>&
   return mesh;
 }
 
-// The searches to start with: vertex 0 of the first quad has the rarest valence, and all valences of the others are tried.
+// The searches to start with. Vertex 0 of the first quad has the rarest valence. All valences of its other corners are
+// tried.
 std::vector<BacktrackingSearch> starts_of(const std::vector<int>& irregular, SearchControl& control) {
   std::vector<int> choices{4};
   for (const int l : std::set<int>(irregular.begin(), irregular.end())) choices.push_back(l);
@@ -79,7 +80,7 @@ std::vector<BacktrackingSearch> starts_of(const std::vector<int>& irregular, Sea
   return starts;
 }
 
-// The spheres that were found, and with a journal those that it does not have yet.
+// The spheres that were found and, with a journal, those of them that the journal does not have yet.
 class FoundSpheres {
  public:
   explicit FoundSpheres(bool with_journal) : with_journal_(with_journal) {}

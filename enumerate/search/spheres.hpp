@@ -5,9 +5,9 @@
 // The number of vertices is V = faces + 2. A sphere is represented by its canonical signature. The smallest one is two
 // quads with a common boundary (four v2s, V = 4).
 //
-// How. Each sphere is cut open at one quad of a vertex whose irregular valence is the rarest; the rest is a hole for
-// search.hpp's method. A sphere is met once for each such quad, up to its symmetries, and told from the others by its
-// signature. So memory grows with the number of spheres.
+// Method. Each sphere is cut open at one quad of a vertex with the rarest irregular valence. The rest is a hole, which
+// the method of search.hpp fills. A sphere is found once for each such quad, up to its symmetries. Signatures tell
+// spheres apart, so memory grows with the number of spheres.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ struct SphereOutcome {
   std::int64_t states = 0;                      // quads placed, over all branches
   bool complete = true;                         // false: out of time
 };
-// `vertices` is the largest V. Throws std::invalid_argument for a valence below 2, above 100, or 4, and for indices 4 - l
-// that do not sum to 8, under which there is no sphere at all; program::UsageError for a journal that cannot be gone on
-// with. limits.faces has no effect.
+// `vertices` is the largest V. limits.faces has no effect. Throws std::invalid_argument for a valence below 2, above
+// 100, or 4, and for indices 4 - l that do not sum to 8, since no sphere has these. Throws program::UsageError if it
+// cannot continue from the journal.
 SphereOutcome search_spheres(const std::vector<int>& irregular, int vertices, const SearchLimits& limits,
                              const std::optional<SearchJournal>& journal = {});
 

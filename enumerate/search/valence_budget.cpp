@@ -14,8 +14,8 @@ ValenceBudget::ValenceBudget(const std::vector<int>& irregular) {
     codes *= count + 1;
   }
   code_ = codes - 1;
-  // Each multiset but the empty one is a smaller one with one more vertex, of the last kind that it has. Its sums are
-  // those of the smaller one, without and with the index of that vertex.
+  // Every multiset that is not empty is a smaller one with one more vertex, of the last kind it has. Its sums are those
+  // of the smaller one, both without and with the index of that vertex.
   sums_.assign(entry(codes, least_), 0);
   sums_[entry(0, 0)] = 1;
   for (int code = 1; code < codes; ++code) {

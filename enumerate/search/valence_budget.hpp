@@ -1,8 +1,8 @@
-// The irregular vertices that a partial mesh has still to get: a multiset of valences.
+// The irregular vertices that a partial mesh still lacks, as a multiset of valences.
 //
-// A vertex of valence l has the index 4 - l. Discrete Gauss-Bonnet fixes the sum of the indices inside a hole, so a hole
-// can be filled only if the indices of some part of the multiset have that sum. can_sum_to() reads the answer from a
-// table.
+// A vertex of valence l has the index 4 - l. Discrete Gauss-Bonnet fixes the sum of the indices inside a hole, so a
+// hole can be filled only if the indices of some part of the multiset have that sum. can_sum_to() reads the answer from
+// a table.
 //
 // Internal: not installed.
 #pragma once

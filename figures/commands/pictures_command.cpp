@@ -38,8 +38,8 @@ Choices choices_of(const Options& options) {
   return choices;
 }
 
-// The figures of --figure, in the order of the catalogue. All are made before the first file is written, so that nothing
-// is written if one of them can not be made.
+// The figures of --figure, in the order of the catalogue. All are made before the first file is written, so that
+// nothing is written if one of them cannot be made.
 std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choices& choices) {
   std::vector<Figure> figures;
   for (const CatalogueEntry& entry : catalogue()) {

@@ -170,8 +170,8 @@ RegionClaim distance_claim(const Exploration& found) {
           holds};
 }
 
-// P3: the quads made minus the quads deleted follow the formula of section 6, and a mesh has as many quads as its strips
-// say.
+// P3: the quads made minus the quads deleted follow the formula of section 6, and a mesh has as many quads as its
+// strips say.
 RegionClaim faces_claim(const Exploration& found) {
   const theory::PairSystem system(found.shape.type());
   const auto quads = [&system](const Configuration& c) { return system.face_count(c.parameters); };

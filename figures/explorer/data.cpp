@@ -34,8 +34,8 @@ using theory::PairType;
 
 using Spot = std::array<Integer, 3>;
 
-// The spot of a labelling, in the rotated grid of Figure 10, in the half cube of Figure 11, where quadrant p lies between
-// the axes p and p - 1, or in the grid of Figure 12.
+// The spot of a labelling, in the rotated grid of Figure 10, in the half cube of Figure 11, where quadrant p lies
+// between the axes p and p - 1, or in the grid of Figure 12.
 Spot spot_of(PairType type, const Configuration& labelling) {
   if (!type.symmetric()) {
     const theory::GridPoint at = theory::grid_point(type, theory::canonical(type, labelling));

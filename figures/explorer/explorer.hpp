@@ -1,9 +1,9 @@
 // The explorer: one HTML file in which a reader walks through a region's configurations, their meshes and their moves.
 //
-// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake). Its
-// data are the meshes that an exploration by pair moves found, and the operations by which the moves were made. The page
-// applies these operations to the mesh that it shows, and then checks that the result is isomorphic, relative to the
-// boundary, to the mesh that was found.
+// The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake).
+// Its data are the meshes that an exploration by pair moves found, and the operations by which the moves were made. The
+// page applies these operations to the mesh that it shows, and then checks that the result is isomorphic, relative to
+// the boundary, to the mesh that was found.
 //
 // Terms
 //   spot       the position of a configuration in the drawing of the graph. A configuration has one spot, or two in a
@@ -17,10 +17,10 @@
 //
 // The JSON of explorer_data(), with the ids of the mesh:
 //   pair, sides, regular, grid ("flat" or "cube")
-//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]. The mesh: vertices
-//           [[x,y]...] and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1 starts;
-//           irregular; alpha, the faces of R_alpha; rim, the vertices round it; outward, the paths of the outward
-//           separatrices by side, whose lengths are the strip counts e_i
+//   nodes   label, names (of all its labellings), d1, d2, m, n, quads, signature, spots [[x,y,z]...]. The mesh:
+//           vertices [[x,y]...] and faces [[a,b,c,d]...], null where an id is free; root [v,w], the edge where side 1
+//           starts; irregular; alpha, the faces of R_alpha; rim, the vertices round it; outward, the paths of the
+//           outward separatrices by side, whose lengths are the strip counts e_i
 //   moves   from, to, spots and names (at either end), key, change, step, made, deleted; arrows [[v,w],[v,w]] as in
 //           Figure 9, from each irregular vertex towards vertex w; operations {kind, patch, and the vertices that
 //           describe it}

@@ -1,5 +1,5 @@
-// The sources of the explorer's page: explorer.html, explorer.css and the .js files, joined in order. CMake embeds them into
-// the library; see embed.cmake.
+// The sources of the explorer's page: explorer.html, explorer.css and the .js files, joined in order. CMake embeds them
+// into the library; see embed.cmake.
 #pragma once
 
 namespace requad::figures::explorer_sources {

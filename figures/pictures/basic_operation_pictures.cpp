@@ -89,8 +89,8 @@ void add_flips(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
   }
 }
 
-// The edge is u -> v, with p, q on its left and r, s on its right. The split parts v along p - v - s. The collapse merges
-// the new vertex, which took the edge, with r across the face on the right.
+// The edge is u -> v, with p, q on its left and r, s on its right. The split parts v along p - v - s. The collapse
+// merges the new vertex, which took the edge, with r across the face on the right.
 void add_flip_of_two(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
   const HalfEdgeId back = patch.mesh.twin(edge);
   const BasicOperation split{BasicOperation::Kind::split, QuadMesh::next(edge), QuadMesh::previous(back), 0};

@@ -112,8 +112,8 @@ Paint paint_dual(const GridFigure& figure) {
     for (const GridEdge& edge : figure.edges) {
       const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
       const Stroke stroke = grid_stroke(figure.grids[static_cast<std::size_t>(from.grid)]);
-      // Radius and angle change evenly, the shorter way round. An edge within a level is an arc; on level 1 of a digon it
-      // is a whole circle.
+      // Radius and angle change evenly, the shorter way round. An edge within a level is an arc; on level 1 of a digon
+      // it is a whole circle.
       const theory::Integer inner = edge.before.d1() + edge.before.d2(), outer = edge.after.d1() + edge.after.d2();
       double first = angle(edge.before), last = angle(edge.after);
       if (inner == outer) {

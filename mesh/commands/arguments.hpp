@@ -1,4 +1,4 @@
-// What several commands of requad-edit take from their arguments: a mesh file, features, and where the result goes.
+// Arguments that several commands of requad-edit have in common: a mesh file, features, and the output file.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace requad::edit {
 
-// --subdivide, and the options that name features.
+// The option --subdivide, and the options that name features.
 std::vector<program::Option> input_options();
-// -o. A result as OBJ goes there.
+// The option -o, which names an OBJ file for the result.
 program::Option output_option();
 
-// Reads the surface in the file that the first word names; with --subdivide its polygons are cut into quads. Throws
+// Reads the surface from the file that the first word names. With --subdivide, cuts its polygons into quads. Throws
 // FileError.
 mesh::Surface read_input(const program::Options& options);
 
@@ -24,7 +24,7 @@ bool wants_features(const program::Options& options);
 // The feature edges that these options ask for; none if neither is given. Throws UsageError or FileError.
 mesh::FeatureEdges read_features(const program::Options& options, const mesh::Surface& surface);
 
-// The path that -o gives. Throws UsageError if there is none, or if it names an OFF file.
+// The path that -o gives. Throws UsageError if -o is missing or names an OFF file.
 std::string output_path(const program::Options& options, const std::string& command);
 
 // "1 vertex", "2 vertices".

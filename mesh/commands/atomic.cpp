@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 
-// What the command line names: the vertex V, or the edge V -> W.
+// The site that the command line names: the vertex V, or the edge V -> W.
 struct Site {
   VertexId v;
   HalfEdgeId along;  // none if there is no W
@@ -45,12 +45,12 @@ std::string ends(const Session& session, HalfEdgeId along) {
   return session.describe(m.origin(along)) + " to " + session.describe(m.target(along));
 }
 
-// An operation and its effect, as JSON and as a line of text. Vertices have their numbers in the mesh as it is.
+// An operation and its effect, as JSON and as a line of text. Vertices have their numbers in the mesh before it.
 struct Description {
   ordered_json json;
   std::string text;
 };
-// Performs the operation to see its effect, and takes it back.
+// Performs the operation to see its effect, then undoes it.
 Description describe(Session& session, const AtomicChoice& choice) {
   const mesh::QuadMesh& m = session.mesh();
   const HalfEdgeId along = choice.operation.along;
@@ -103,8 +103,8 @@ int list(Session& session, const Site& site) {
   return program::kDone;
 }
 
-// The operation of this name at the site. Along an edge there is one, whether it is listed or not. At a vertex only one of
-// them may be legal.
+// The operation with this name at the site. An edge has one, listed or not. Of several at a vertex this is the legal
+// one, or any of them if all are refused. Throws UsageError if several are legal or the site has none.
 AtomicChoice chosen(Session& session, const Site& site, const AtomicName& name) {
   std::optional<AtomicChoice> found;
   for (const AtomicChoice& choice : choices_at(session, site)) {

@@ -15,7 +15,7 @@ using mesh::VertexId;
 using nlohmann::ordered_json;
 using program::UsageError;
 
-constexpr int kMostHelpers = 8;  // where --with names none
+constexpr int kMostHelpers = 8;  // if --with names none
 
 // The vertices of --with, or the irregular vertices nearest to the pair.
 std::vector<VertexId> helpers_of(Session& session, VertexId three, VertexId five) {

@@ -1,4 +1,4 @@
-// requad-edit: looks at quad meshes in space and edits them.
+// requad-edit: describes and edits quad meshes in space.
 
 #include "mesh/commands/commands.hpp"
 

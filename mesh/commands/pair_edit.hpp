@@ -1,4 +1,4 @@
-// What the commands on pairs share: the pair's vertices, its extents as text, and a command that edits one pair.
+// Common parts of the commands on pairs: the pair's vertices, its extents as text, and a command that edits one pair.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace requad::edit {
 
-// The session's pair: its second and third word. Throws UsageError.
+// The pair of vertices that the second and the third word name. Throws UsageError.
 std::array<mesh::VertexId, 2> pair_of(const Session& session);
 
 // "(d1,d2)", the extents of the pair's rectangle.
 std::string extents_text(const mesh::PairFrame& frame);
 
-// A command that applies `operation` to a pair and reports what became of the pair. Returns the exit code.
+// Runs a command that applies `operation` to a pair and reports the result. Returns the exit code.
 using PairOperation = mesh::PairResult (*)(mesh::Editor&, mesh::VertexId, mesh::VertexId);
 int edit_pair(const program::Options& options, const std::string& command, PairOperation operation);
 

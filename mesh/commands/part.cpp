@@ -1,4 +1,4 @@
-// requad-edit part: parts vertices of high valence, or of valence 2, into v3s and v5s.
+// requad-edit part: parts vertices of valence 2, or of high valence, into v3s and v5s.
 
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"

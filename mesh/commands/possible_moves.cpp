@@ -20,7 +20,7 @@ using mesh::VertexId;
 
 namespace {
 
-// Makes the step, unless it is refused.
+// Makes the step if the mesh allows it.
 PossibleMove make_step(Session& session, const PairMove& step) {
   PossibleMove move{name(step.step), "", Refusal::none, 0, 0};
   const mesh::MoveReport report = mesh::move_pair(session.editor(), step);
@@ -32,7 +32,7 @@ PossibleMove make_step(Session& session, const PairMove& step) {
   return move;
 }
 
-// Lets an adjacent pair leave the vertex `from` at `start` and carries it to `to`, unless that is refused.
+// Transports the adjacent pair `start` from the vertex `from` to the vertex `to`, unless that is refused.
 PossibleMove make_transport(Session& session, PairTransport& transport, VertexId from, VertexId to,
                             AdjacentPair start) {
   const QuadMesh& m = session.mesh();
@@ -49,8 +49,8 @@ PossibleMove make_transport(Session& session, PairTransport& transport, VertexId
   return move;
 }
 
-// Where an adjacent pair can leave the vertex: with the vertex as its u where a sector lacks a quad, as its v where a
-// sector has one too many.
+// The adjacent pairs that can leave the vertex. The vertex is the u of such a pair where a sector lacks a quad, and the
+// v where a sector has one quad too many.
 std::vector<AdjacentPair> starts_at(const Session& session, const mesh::Sectors& sectors, VertexId from) {
   std::vector<AdjacentPair> starts;
   for (const int excess : {-1, 1}) {

@@ -1,7 +1,7 @@
 // The moves that a pair can make, for the commands that list them and that make one of them.
 //
-// A pair of free vertices that spans a rectangle moves by the steps of section 6. Any other pair moves by a transport: an
-// adjacent 3-5 pair leaves one vertex along an edge and is carried to the other, which absorbs it.
+// A pair of free vertices that spans a rectangle moves by the steps of section 6. Any other pair moves by a transport:
+// an adjacent 3-5 pair leaves one vertex along an edge and is carried to the other, which absorbs it.
 #pragma once
 
 #include <functional>
@@ -19,13 +19,13 @@ struct PossibleMove {
   int faces_gained = 0;
 };
 
-// Makes each move of the pair in turn, calls visit(), and takes the move back. Stops when visit() returns true; the mesh
-// is then as that move left it. Refusal: wrong_valences if no vertex of the pair has a sector that lacks or exceeds one
-// quad.
+// Makes each move of the pair in turn, calls visit(), and undoes the move. Stops when visit() returns true, and does
+// not undo that move. Refusal: wrong_valences if no vertex of the pair has a sector with one quad too few or too many.
 mesh::Refusal for_each_move(Session& session, mesh::VertexId a, mesh::VertexId b,
                             const std::function<bool(const PossibleMove&)>& visit);
 
-// A command line may name one vertex alone, which can not move (Theorem 7.1): the exit code that says so.
+// A command line may name only one vertex, which cannot move (Theorem 7.1). refuse_one_vertex() reports that and
+// returns the exit code.
 bool names_one_vertex(const Session& session);
 int refuse_one_vertex(Session& session);
 

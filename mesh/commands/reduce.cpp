@@ -1,4 +1,4 @@
-// requad-edit reduce: leaves fewer irregular vertices, by the cheapest cancellations first (Figure 19).
+// requad-edit reduce: removes irregular vertices, by the cheapest cancellations first (Figure 19).
 
 #include "mesh/irregular/reduce.hpp"
 

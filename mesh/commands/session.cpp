@@ -36,7 +36,7 @@ mesh::Surface read_first(const Options& options) {
   return read_input(options);
 }
 
-// The text of --map. Elements have their numbers in the files, counted from 1.
+// The text of the map that --map asks for. Elements have their numbers in the files, counted from 1.
 std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
   const mesh::ElementMap map = mesh::element_map(input.mesh, editor);
   const auto number = [](int index) { return index < 0 ? ordered_json() : ordered_json(index + 1); };

@@ -1,5 +1,5 @@
-// An editing command at work: a surface with its features and an editor, vertices by their numbers in files, local
-// smoothing, and how the result is written.
+// An editing session: a surface with its features and an editor, the numbers of vertices in files, local smoothing, and
+// the output of the result.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@
 
 namespace requad::edit {
 
-// The options of a command that edits: its own, then those that all of them have.
+// The options of an editing command: its own, then those that all editing commands have.
 std::vector<program::Option> editing_options(std::vector<program::Option> own = {});
 
 class Session {
  public:
   // Reads the surface that the first word names. Throws as read_input() and read_features() do.
   Session(const program::Options& options, const std::string& command);
-  // Takes a surface that was read before, and reads the features.
+  // Takes a surface that was read before. Reads the features.
   Session(const program::Options& options, std::string command, mesh::Surface input);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -33,7 +33,7 @@ class Session {
   const mesh::Positions& positions() const { return positions_; }
   const mesh::FeatureSet& features() const { return features_; }
   mesh::Editor& editor() { return editor_; }
-  // The input's surface, to project on; built when it is first asked for.
+  // The input's surface, for projections. It is built at the first call.
   const mesh::SurfaceIndex& surface();
 
   // The vertex with this number in the input file, counted from 1. Throws UsageError.
@@ -44,14 +44,14 @@ class Session {
   std::string describe(mesh::VertexId v) const;
   std::string describe(mesh::VertexId a, mesh::VertexId b) const;
 
-  // Smooths around what edits changed since the mark. --smooth gives the number of iterations.
+  // Smooths around the changes since the mark. --smooth gives the number of iterations.
   void smooth_since(std::size_t mark);
 
-  // Ends a command whose edit was made: adds the sizes before and after to the summary, writes -o, --script, --map and
-  // --json, all or none, and prints the text. Returns the exit code.
+  // Ends a command whose edit was made. Adds the sizes before and after to the summary. Writes the files of -o,
+  // --script, --map and --json, either all or none, and prints the text. Returns the exit code.
   int done(nlohmann::ordered_json summary, const std::string& text);
-  // Ends a command whose edit can not be made: prints one line on standard error and writes nothing. `subject` says what
-  // was to be edited. Returns the exit code.
+  // Ends a command whose edit cannot be made. Prints one line on standard error and writes no file. `subject` names
+  // what was to be edited. Returns the exit code.
   int refused(const std::string& subject, mesh::Refusal why, const mesh::Obstacles& obstacles = {});
 
  private:

@@ -30,7 +30,7 @@ int smooth(const Options& options) {
   wants_features(options);
   mesh::SmoothingOptions how;
   const auto iterations = static_cast<int>(options.integer("iterations", 10, 0, 1'000'000));
-  how.iterations = 1;  // one at a time, to show progress
+  how.iterations = 1;  // one at a time, so that progress can be shown
   if (options.has("no-guard")) how.guard.reset();
   how.weights = options.choice("weights", {"uniform", "chord"}, "uniform") == "chord" ? mesh::SmoothingWeights::chord
                                                                                       : mesh::SmoothingWeights::uniform;

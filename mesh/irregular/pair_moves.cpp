@@ -64,7 +64,7 @@ Ends slide(DirectTransport& transport, PairFrame frame, Hand hand) {
   const QuadMesh& m = transport.mesh();
   const auto along = [hand](const PairFrame& f) { return hand == Hand::left ? f.d2 : f.d1; };
   const auto is_v3 = [&m](VertexId v) { return m.valence(v) == 3; };
-  // A v5 can not start by a collapse, which is all there is to do if the leg has no length: start at the other end.
+  // A v5 cannot start by a collapse, which is all there is to do if the leg has no length: start at the other end.
   if (!is_v3(frame.v1) && is_v3(frame.v2) && along(frame) == 0) frame = seen_from_other_end(m, frame);
   const bool from_v3 = is_v3(frame.v1);
   const bool to_v3 = is_v3(frame.v2);

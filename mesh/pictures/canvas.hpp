@@ -50,8 +50,8 @@ class Canvas {
   void arc(Point centre, double radius, double from, double to, const Stroke& stroke);
   // Draws a line with a head, `head` points long, at its end.
   void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 6);
-  // Draws UTF-8 text. "_" lowers the next character, or the characters in the braces that follow: "E_1", "e_{12}". `at` is
-  // the left end, the middle or the right end of the baseline. A capital is about 0.7 `size` high.
+  // Draws UTF-8 text. "_" lowers the next character, or the characters in the braces that follow: "E_1", "e_{12}". `at`
+  // is the left end, the middle or the right end of the baseline. A capital is about 0.7 `size` high.
   void text(Point at, const std::string& words, double size, Colour colour = {}, Anchor anchor = Anchor::centre);
 
  private:
@@ -66,8 +66,8 @@ class Canvas {
 
 using Paint = std::function<void(Canvas&)>;
 
-// The drawing on white as "svg", "pdf" or "png" (144 dots per inch). Calls `paint` twice: to measure and to draw. Throws
-// std::invalid_argument for another format and std::runtime_error if Cairo fails.
+// The drawing on white as "svg", "pdf" or "png" (144 dots per inch). Calls `paint` twice: to measure and to draw.
+// Throws std::invalid_argument for another format and std::runtime_error if Cairo fails.
 std::string render(const Paint& paint, const std::string& format);
 
 }  // namespace requad::pictures

@@ -1,9 +1,9 @@
 // A region on a page, with the marks of the paper's figures.
 //
-// Legend of all figures. A shape says what a colour says, for print without colours and for readers who do not see them.
-// The colours are Okabe and Ito's palette and tints of it.
-//   irregular vertex   a polygon with as many corners as its valence: v3 blue, v5 orange, v6 and more red, v2 (a rhombus)
-//                      purple
+// Legend of all figures. A shape says what a colour says, for print without colours and for readers who do not see
+// them. The colours are Okabe and Ito's palette and tints of it.
+//   irregular vertex   a polygon with as many corners as its valence: v3 blue, v5 orange, v6 and more red,
+//                      v2 (a rhombus) purple
 //   R_alpha            blue quads; its ring, the smallest convex region with the pair, grey
 //   face               made: yellow with a plus; deleted: red with a cross
 #pragma once

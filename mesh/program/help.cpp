@@ -14,9 +14,9 @@ constexpr std::size_t kWidestLeft = 24;  // what is longer has a line of its own
 
 std::string blanks(std::size_t count) { return std::string(count, ' '); }
 
-// The text in lines of at most kWidth characters, each after `indent` blanks. A line of the text that starts with blanks
-// is an entry of a list, "  name  meaning": what it is broken into starts below the meaning, or below the name if there
-// is no meaning.
+// The text in lines of at most kWidth characters, each after `indent` blanks. A line of the text that starts with
+// blanks is an entry of a list, "  name  meaning". The lines that it is broken into start below the meaning, or below
+// the name if there is no meaning.
 std::vector<std::string> wrapped(const std::string& text, std::size_t indent) {
   std::vector<std::string> lines;
   std::istringstream in(text);

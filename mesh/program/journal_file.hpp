@@ -1,7 +1,7 @@
 // A journal: a file of records that only grows. A run that was killed can go on where it stopped.
 //
-// Format: text, one line for each record. A line is the CRC-32 of its JSON in eight hexadecimal digits, a space, and the
-// JSON. The first line says which run the journal belongs to.
+// Format: text, one line for each record. A line is the CRC-32 of its JSON in eight hexadecimal digits, a space, and
+// the JSON. The first line says which run the journal belongs to.
 //
 // A line is appended by one write. So a killed run leaves whole lines and at most one torn line, at the end, which the
 // next run drops. A bad line anywhere else is damage, and the journal is refused. A journal is locked while it is open.
@@ -20,18 +20,18 @@ class JournalFile {
  public:
   using Record = nlohmann::ordered_json;
 
-  // Opens the file, or makes it, and calls take() for each record in order. `program` is the program's name; `run` is one
-  // line that tells its runs apart. Throws UsageError if the file is the journal of another run, is damaged, is open
-  // elsewhere, or is no journal. It does so too if take() throws: a UsageError says what is wrong with the record, any
-  // other exception why it is no record.
+  // Opens the file, or makes it, and calls take() for each record in order. `program` is the program's name; `run` is
+  // one line that tells its runs apart. Throws UsageError if the file is the journal of another run, is damaged, is
+  // open elsewhere, or is no journal. It does so too if take() throws: a UsageError says what is wrong with the record,
+  // any other exception why it is no record.
   JournalFile(std::string path, const std::string& program, const std::string& run,
               const std::function<void(const Record&)>& take);
   ~JournalFile();
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  // Safe from any thread. Throws UsageError if the record could not be written, and again for every record after it. The
-  // records before it are kept, and no torn line stays.
+  // Safe from any thread. Throws UsageError if the record could not be written, and again for every record after it.
+  // The records before it are kept, and no torn line stays.
   void append(const Record& record);
   // Throws the UsageError of a journal whose records are valid one by one but make no sense together.
   [[noreturn]] void refuse(const std::string& why) const;

@@ -84,10 +84,10 @@ class Options {
   // A range within low..high, or the fallback.
   Range range(const std::string& name, Range fallback, std::int64_t low, std::int64_t high) const;
 
-  // Throws UsageError if an option is given that is neither a common one nor one of these. `what` names the command that
-  // has no use for it; it may be "".
+  // Throws UsageError if an option is given that is neither a common one nor one of these. `what` names the command
+  // that has no use for it; it may be "".
   void allow_only(const std::string& what, const std::set<std::string>& names) const;
-  // To be called before any work. Throws UsageError if an output can not be written, or if two of them go to one file or
+  // To be called before any work. Throws UsageError if an output cannot be written, or if two of them go to one file or
   // both to standard output. Outputs are --json and those of the table.
   void require_outputs() const;
 

@@ -19,10 +19,10 @@ class Outputs {
   ~Outputs();
 
   // Writes the text to a temporary file at once; what goes to "-", a device or a pipe waits for commit(). Throws
-  // UsageError if the file can not be written or was added before.
+  // UsageError if the file cannot be written or was added before.
   void add(const std::string& path, std::string text);
   // Writes to devices and pipes, then gives the files their names in the order in which they were added, then writes to
-  // standard output. Signals wait meanwhile. Throws UsageError if something can not be written; then no file has its
+  // standard output. Signals wait meanwhile. Throws UsageError if something cannot be written; then no file has its
   // name, unless the system refuses to rename a file that it let be made. run() reports if standard output fails.
   void commit();
 

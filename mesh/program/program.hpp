@@ -1,8 +1,8 @@
 // A program as a table of commands. The table decides what the command line may hold and what the help texts say.
 //
-// The command line of a program is PROGRAM COMMAND ARGUMENT..., with options anywhere. The first argument that is neither
-// an option nor the value of one names the command. To add a command, write a function that returns a Command, in a
-// source of its own, and enter it in the table of the program's main.cpp.
+// The command line of a program is PROGRAM COMMAND ARGUMENT..., with options anywhere. The first argument that is
+// neither an option nor the value of one names the command. To add a command, write a function that returns a Command,
+// in a source of its own, and enter it in the table of the program's main.cpp.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 namespace requad::program {
 
 struct Command {
-  // Three kinds of names: a word; "--word" for a command that is chosen by this flag; "" for the command that runs if no
-  // other is named.
+  // Three kinds of names: a word; "--word" for a command that is chosen by this flag; "" for the command that runs if
+  // no other is named.
   std::string name;
   std::vector<std::string> usage;     // for each form what follows the name, as "IN A B -o OUT"
   std::string summary;                // one line: what the command does

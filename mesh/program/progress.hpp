@@ -9,7 +9,8 @@
 
 namespace requad::program {
 
-// The counter is shown only if standard error is a terminal and the work has taken a second. Safe to use from any thread.
+// The counter is shown only if standard error is a terminal and the work has taken a second. Safe to use from any
+// thread.
 class Progress {
  public:
   // `what` names the things that are counted. A total of 0 means that their number is not known.

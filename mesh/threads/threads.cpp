@@ -14,9 +14,9 @@ namespace requad::threads {
 
 namespace {
 
-// ThreadSanitizer cannot see that oneTBB, which is not compiled for it, starts tasks after what comes before the call, and
-// ends them before the call returns. This tells it so, in the one source that is not compiled for it either. It still finds
-// races between tasks.
+// ThreadSanitizer cannot see that oneTBB, which is not compiled for it, starts tasks after what comes before the call,
+// and ends them before the call returns. This tells it so, in the one source that is not compiled for it either. It
+// still finds races between tasks.
 struct Order {
 #ifdef REQUAD_THREAD_SANITIZER
   void release() { __tsan_release(this); }

@@ -255,8 +255,8 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   CHECK_FALSE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), disturbed).problem.empty());
 }
 
-// Costs, by counting. A slide takes max(d1, d2) + O(1) operations, open and close d1 + d2 + O(1); an identification walks
-// each separatrix once, and none is longer than the longest side and the way round R_alpha.
+// Costs, by counting. A slide takes max(d1, d2) + O(1) operations, open and close d1 + d2 + O(1); an identification
+// walks each separatrix once, and none is longer than the longest side and the way round R_alpha.
 TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[walk]") {
   struct Case {
     theory::PairType type;

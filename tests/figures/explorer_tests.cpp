@@ -306,7 +306,7 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
   enumerate::Exploration none = explored(digon);
   none.moves.clear();
   CHECK(failing(region_claims(none)) == Ids{"M1", "T2"});
-  // A move that changes nothing, one that can not be undone, one that makes a quad too many.
+  // A move that changes nothing, one that cannot be undone, one that makes a quad too many.
   enumerate::Exploration lame = explored(digon);
   lame.moves[0].after = lame.moves[0].before;
   lame.moves[1].restored = false;

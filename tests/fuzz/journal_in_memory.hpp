@@ -1,5 +1,5 @@
-// Input for what reads journals. No fuzzer guesses a checksum: a line that starts with { gets its own. Others stay as they
-// are.
+// Input for what reads journals. No fuzzer guesses a checksum: a line that starts with { gets its own. Others stay as
+// they are.
 #pragma once
 
 #include <array>

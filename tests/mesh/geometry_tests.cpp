@@ -1,4 +1,5 @@
-// Geometry and smoothing: measures with known values, nearest points against all triangles, laws geometry-1 to geometry-5.
+// Geometry and smoothing: measures with known values, nearest points against all triangles, laws geometry-1 to
+// geometry-5.
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -1,5 +1,5 @@
-// Command lines made by chance from good ones: whatever the arguments, each program does what they say or refuses them in
-// one line. The options that are thrown in are those that the program's own --help names.
+// Command lines made by chance from good ones: whatever the arguments, each program does what they say or refuses them
+// in one line. The options that are thrown in are those that the program's own --help names.
 #include <algorithm>
 #include <filesystem>
 #include <regex>

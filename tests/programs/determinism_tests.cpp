@@ -71,7 +71,7 @@ const std::vector<std::string> kCommands{
 
 namespace {
 
-// A variant that can not be had here, as in a container that denies it, is left out, with a warning.
+// A variant that cannot be had here, as in a container that denies it, is left out, with a warning.
 bool is_to_be_had(const std::string& variant) {
   tests::spill(tests::scratch() / "script", variant + " true\n");
   if (tests::call("edit", "--version >/dev/null; bash script").code == 0) return true;
@@ -79,7 +79,8 @@ bool is_to_be_had(const std::string& variant) {
   return false;
 }
 
-// "VARIABLES" that make a program with decimal commas; "" and a warning where the system's sources of locales are missing.
+// "VARIABLES" that make a program with decimal commas; "" and a warning where the system's sources of locales are
+// missing.
 std::string decimal_commas() {
   const std::string folder = (tests::scratch() / "locales").string();
   fs::create_directory(folder);

@@ -1,6 +1,6 @@
-// Who includes whom. A room is a folder that holds sources; it may include its own headers and those of the rooms that the
-// table below names, which is the one of the project's design. theory/ and mesh/ do not know each other, so that what one
-// predicts is compared with what the other does; and what lies below does not know what lies above.
+// Who includes whom. A room is a folder that holds sources; it may include its own headers and those of the rooms that
+// the table below names, which is the one of the project's design. theory/ and mesh/ do not know each other, so that
+// what one predicts is compared with what the other does; and what lies below does not know what lies above.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -17,8 +17,8 @@ struct Outcome {
 // requad-PROGRAM with these arguments, as a shell would take them, in the folder scratch().
 Outcome call(const std::string& program, const std::string& arguments);
 
-// Starts it likewise, and kills it (SIGKILL) as soon as this file in scratch() has so many lines. Whether that is how it
-// ended: false if it was done before.
+// Starts it likewise, and kills it (SIGKILL) as soon as this file in scratch() has so many lines. Whether that is how
+// it ended: false if it was done before.
 bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,
                     std::size_t lines);
 

@@ -1,6 +1,6 @@
-// Properties of what is drawn at random (RapidCheck). What a run draws follows from a seed, which is a constant here and
-// can be set from outside. A failing run shrinks what it drew, prints it, and prints RC_PARAMS="reproduce=...", which runs
-// that very case again:
+// Properties of what is drawn at random (RapidCheck). What a run draws follows from a seed, which is a constant here
+// and can be set from outside. A failing run shrinks what it drew, prints it, and prints RC_PARAMS="reproduce=...",
+// which runs that very case again:
 //
 //   RC_PARAMS="seed=7 max_success=10000" build/tests/programs/requad-programs-tests "[properties]"
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace requad::tests {
 
-// RapidCheck prints the case and how to repeat it; Catch counts the failure. The property is tried on so many cases, or on
-// as many as RC_PARAMS asks for.
+// RapidCheck prints the case and how to repeat it; Catch counts the failure. The property is tried on so many cases, or
+// on as many as RC_PARAMS asks for.
 template <class Property>
 void holds(const std::string& what, const Property& property, int cases = 500) {
   using namespace rc::detail;

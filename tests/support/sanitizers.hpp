@@ -1,5 +1,5 @@
-// What a test must know of the build: a sanitizer takes terabytes of addresses, and ThreadSanitizer has an operator new of
-// its own. GCC and clang say it in different ways.
+// What a test must know of the build: a sanitizer takes terabytes of addresses, and ThreadSanitizer has an operator new
+// of its own. GCC and clang say it in different ways.
 #pragma once
 
 #if defined(__has_feature)

@@ -151,7 +151,8 @@ TEST_CASE("parameter sets: the theorem's set, its parity and its identification"
 }
 
 TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
-  // Every (p, d1, d2, e) with lengths up to a bound, mapped to its region: an independent count, degenerate ones halved.
+  // Every (p, d1, d2, e) with lengths up to a bound, mapped to its region: an independent count, degenerate ones
+  // halved.
   const auto brute = [](PairType type, Integer longest) {
     const int k = type.side_count();
     std::map<std::vector<Integer>, Integer> twice;  // by sides

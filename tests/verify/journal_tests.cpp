@@ -145,7 +145,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
     CHECK(slurp(path) == text);
   }
   CHECK(refusal(scratch().string(), "run a").find("can not be opened") != std::string::npos);
-  // What has no end, and what can not be gone back in.
+  // What has no end, and what cannot be gone back in.
   CHECK(refusal("/dev/zero", "run a") == "--journal: /dev/zero: is no regular file");
   const std::string pipe = (scratch() / "pipe.journal").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

@@ -116,7 +116,7 @@ TEST_CASE("one region is judged by the claims that are asked for", "[verify]") {
   CHECK(find_claim("T5") == nullptr);
 }
 
-// A check that can not fail is worse than none: falsify the facts it looks at, one by one.
+// A check that cannot fail is worse than none: falsify the facts it looks at, one by one.
 TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const PairStudy digon = study_of(theory::kDigon, sides({6, 6}));
   const PairStudy hexagon = study_of(theory::kHexagon, sides({5, 5, 5, 5, 5, 5}));

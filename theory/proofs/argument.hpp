@@ -36,7 +36,7 @@ Rational dot(const RationalVector& a, const IntegerVector& b);
 // "(1/2,-3,0)".
 std::string list(const RationalVector& v);
 
-// length L + d1 d1 + d2 d2, with three coefficients: what a strip of a regular region of side L is.
+// length L + d1 d1 + d2 d2 with three coefficients. In a regular region of side L every strip has this form.
 struct StripForm {
   Rational length, d1, d2;
   Polynomial polynomial() const;  // in (L, d1, d2)

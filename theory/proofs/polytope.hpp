@@ -1,5 +1,5 @@
-// Lattice points of a polytope and its dilations. A proof counts them at a few sizes, and the lemma below makes these
-// counts a count at every size.
+// Lattice points of a polytope and its dilations. A proof counts them at a few sizes, and by the lemma below these
+// counts determine the count at every size.
 //
 // Terms
 //   P          {x in Q^n : A x = b, x_j >= 0, and x_j > 0 where strict[j]}. Its dilation L P has L b for b. For
@@ -38,8 +38,8 @@ std::vector<RationalVector> vertices(const Polytope& p);
 // The least common multiple of the denominators of all coordinates.
 Integer common_denominator(const std::vector<RationalVector>& points);
 
-// The number of integer points of L P: tries every integer point of the box around the vertices. Throws
-// std::domain_error if P is not surely bounded. O(L^(n - rank)) solves.
+// The number of integer points of L P. Tries every integer point of the box around the vertices. Throws
+// std::domain_error if surely_bounded(p) is false. Solves O(L^(n - rank)) systems.
 Integer count_lattice_points(const Polytope& p, Integer dilation);
 
 // A polynomial in L for each residue class of L.

@@ -1,9 +1,9 @@
-// Proofs by exact arithmetic, of the claims that linear algebra decides for every size. They stand beside the instances
-// that requad-verify checks one by one.
+// Proofs, by exact arithmetic, of those claims that linear algebra decides for every size. requad-verify shows them
+// beside the instances that it checks one by one.
 //
-// A proof starts from the side law, theory-1 (pair_system.hpp), which ties the strips e_i to the sides of a region. That
-// the side law describes the meshes, and that a mesh realises every positive solution, is what the paper's lemmas say
-// and what the instances check. From there on each step is either an argument that a reader can follow, or an exact
+// A proof starts from the side law, theory-1 (pair_system.hpp), which ties the strips e_i to the sides of a region.
+// That the side law describes the meshes, and that a mesh realises every positive solution, is what the paper's lemmas
+// say and what the instances check. From there on each step is either an argument that a reader can follow, or an exact
 // computation (exact.hpp) whose outcome decides whether the step holds.
 //
 // proofs-2   Every proof takes what it is about as premises: the system, and the formula that the paper states. The
@@ -62,7 +62,7 @@ SingleVertexPremises single_vertex_premises();
 Proof prove_single_vertex(const SingleVertexPremises& premises = single_vertex_premises());
 
 // T11: where 4 does not divide k, the sides and (d1, d2) determine the strips. In a 3-5 region the sides determine
-// (d1, d2), and with (e1, e2) the other strips.
+// (d1, d2), and the sides and (e1, e2) determine the other strips.
 Proof prove_strips_determined(const std::vector<SideLaw>& laws = {side_law(kDigon), side_law(kHexagon),
                                                                   side_law(kQuad)});
 
@@ -86,7 +86,7 @@ struct QuadPremises {
 QuadPremises quad_premises();
 Proof prove_quad_count(const QuadPremises& premises = quad_premises());
 
-// P3: the number of faces that each step (m,n) of the theorems adds, in any region with one of the paper's three pairs.
+// P3: the number of faces that each step (m,n) of the theorems adds in a region with any of the paper's three pairs.
 struct FacePremises {
   SideLaw law;
   std::function<Polynomial(const Polynomial& d1, const Polynomial& d2, const std::vector<Polynomial>& e)> faces;

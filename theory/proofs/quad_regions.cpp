@@ -92,7 +92,7 @@ bool require_one_labelling(Argument& argue, const SideLaw& law) {
   return true;
 }
 
-// E_{row + 1} less what d1 and d2 add to it: what two opposite strips have to sum up to.
+// E_{row + 1} minus what d1 and d2 add to it: the sum that two opposite strips must have.
 Polynomial strip_sum(const SideLaw& law, Eigen::Index row) {
   return Polynomial::variable(static_cast<std::size_t>(row)) - law.first(row) * Polynomial::variable(4) -
          law.last(row) * Polynomial::variable(5);

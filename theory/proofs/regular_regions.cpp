@@ -64,7 +64,8 @@ bool require_strips(Argument& argue, const SideLaw& law) {
   return true;
 }
 
-// The solutions of the side law in the unknowns (d1, d2, e_1, ..) with all sides 1: those for sides L are in L times it.
+// The solutions of the side law in the unknowns (d1, d2, e_1, ..) when all sides are 1. Those for sides L lie in its
+// dilation by L.
 Polytope solution_polygon(const RegularPremises& premises) {
   const SideLaw& law = premises.law;
   const int k = law.type.side_count();
@@ -105,7 +106,7 @@ void require_tau(Argument& argue, const RegularPremises& premises, const QuasiPo
   }
 }
 
-// What the instances are compared with has the sizes that were counted.
+// The parameter sets, with which the instances are compared, have the sizes that were counted.
 void require_parameter_set(Argument& argue, const SideLaw& law, const Polytope& polygon,
                            const std::vector<Integer>& samples) {
   bool same = true;

@@ -19,7 +19,7 @@ SingleVertexPremises single_vertex_premises() {
 
 namespace {
 
-// Dimension of the circulant's kernel for l = 0, 1, 2, 3 mod 4, as far as the symbol's gcd with x^l - 1 gives it.
+// The dimension of the circulant's kernel for l = 0, 1, 2, 3 mod 4: the degree of the gcd of its symbol and x^l - 1.
 using Kernels = std::array<std::size_t, 4>;
 
 // x^l - 1 modulo x^4 - 1, for l in 0..3.

@@ -1,8 +1,9 @@
 // requad-verify-check: checks certificates again. `requad-verify check DIR` starts it.
 //
-// This program shares no code with the programs that make certificates. It has a parser of its own, a mesh that is a list
-// of faces, its own validation, operations that follow their definitions, and its own comparison of meshes. It uses the
-// C++ standard library and nothing else. verify/certificate.hpp describes the format. For each region it checks that
+// This program shares no code with the programs that make certificates. It has a parser of its own, a mesh that is a
+// list of faces, its own validation, operations that follow their definitions, and its own comparison of meshes. It
+// uses the C++ standard library and nothing else. verify/certificate.hpp describes the format. For each region it
+// checks that
 //   - every mesh is a quadrangulated disk, simple and manifold, with the sides that are claimed, and its irregular
 //     vertices are the pair, or the merged vertex;
 //   - no two meshes are isomorphic by a map that fixes the boundary;
@@ -127,8 +128,8 @@ std::vector<int> check_disk(const Faces& faces, const Boundary& boundary) {
   return irregular;
 }
 
-// The faces with the interior vertices renamed in the order in which a breadth-first search from the boundary edge 0 -> 1
-// meets them. Two meshes have equal forms iff they are isomorphic by a map that fixes the boundary.
+// The faces, with the interior vertices renamed in the order in which a breadth-first search from the boundary edge
+// 0 -> 1 meets them. Two meshes have equal forms iff they are isomorphic by a map that fixes the boundary.
 std::vector<int> form(const Faces& faces, int boundary_length) {
   const auto edges = directed_edges(faces);
   std::map<int, int> name;
@@ -201,7 +202,7 @@ void split(Faces& faces, int v, int a, int b, int w) {
 class Lines {
  public:
   explicit Lines(std::istream& in) : in_(in) {}
-  // The next line. It must start with the word `first`, unless that is "", and have this number of words, unless it is 0.
+  // The next line. It must start with the word `first`, unless that is "", and have `words` words, unless that is 0.
   std::vector<std::string> next(const std::string& first, std::size_t words) {
     std::string line;
     require(static_cast<bool>(std::getline(in_, line)), "the file ends too early");
@@ -325,7 +326,7 @@ void check(Lines& lines) {
   lines.finish();
 }
 
-// Prints one line on standard error, whatever the names of files hold.
+// Prints exactly one line on standard error, even if names of files contain line breaks.
 void report(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';

@@ -26,12 +26,13 @@ struct Violation {
 
 struct Judgement {
   bool applies = true;         // false: the claim says nothing about this region
-  std::int64_t checks = 0;     // things compared
+  std::int64_t checks = 0;     // number of comparisons
   nlohmann::ordered_json row;  // a table row, or null where only totals are reported
   std::optional<Violation> violation;
 };
 
-// A check judges a study and changes nothing. Each gets what it is about; the last kind is about any mesh.
+// A check judges a study and does not change it. The type says which kind of study the check is about; the last type is
+// about every kind.
 using Check = std::variant<Judgement (*)(const PairStudy&), Judgement (*)(const VertexStudy&),
                            Judgement (*)(const TripleStudy&), Judgement (*)(const Study&)>;
 
@@ -41,7 +42,7 @@ struct Claim {
   std::string statement;
   std::string compares;       // the two sides of the check, for readers of the report
   std::set<Family> families;  // the regions that the claim can say something about
-  std::set<Method> methods;   // the ways of finding that the check can use; one of them must have been asked for
+  std::set<Method> methods;   // the methods that the check can use; at least one must be asked for
   Check check;
 
   // Does not apply to a study of another kind than the check's.
@@ -50,7 +51,7 @@ struct Claim {
 
 // In the ledger's order.
 const std::vector<Claim>& claims();
-// Nothing if there is no such claim.
+// The claim with this id; null if there is none.
 const Claim* find_claim(const std::string& id);
 
 // The verdict of a claim for one region. Judgement::row has the numbers that were compared.
@@ -60,8 +61,8 @@ struct RegionVerdict {
 
   bool holds() const { return !judgement.violation; }
 };
-// Judges a region by these claims; leaves out each that says nothing about it. Precondition: the ids are those of
-// claims.
+// Judges a region by these claims. Leaves out the claims that say nothing about it. Precondition: every id is that of a
+// claim.
 std::vector<RegionVerdict> judge_region(const Study& study, const std::vector<std::string>& ids);
 
 }  // namespace requad::verify

@@ -86,8 +86,8 @@ Judgement judge_realisation(const PairStudy& s) {
   });
 }
 
-// All nodes of the found grid have the parity of L, and its dual is the grid of the next smaller region. The labels of
-// the moves give their order round each node (found_map()).
+// All nodes of the found grid have the parity of L, and its dual is the grid of the next smaller region. The order of
+// the moves round each node follows from their labels (found_map()).
 Judgement judge_dual(const PairStudy& s) {
   if (!is_regular(s) || s.found.nodes.empty()) return not_applicable();
   Judgement j;
@@ -106,7 +106,7 @@ Judgement judge_dual(const PairStudy& s) {
   }
   const theory::ConfigurationMap smaller =
       theory::configuration_map(theory::RegionShape::regular(s.shape.type(), length - 1), theory::Apex::with);
-  // Name the faces by the nodes of the smaller grid at their centres.
+  // Each face takes the name of the node of the smaller grid at its centre.
   std::map<std::tuple<theory::Integer, theory::Integer, int>, int> node_at;
   for (std::size_t i = 0; i < smaller.nodes.size(); ++i) {
     const Configuration& c = smaller.nodes[i].configuration;

@@ -26,13 +26,13 @@ inline std::vector<theory::Integer> side_list(const theory::IntegerVector& sides
   return {sides.begin(), sides.end()};
 }
 
-// The violation of a node, a move, or the region as a whole (whose first known mesh goes with it).
+// The violation at a node, at a move, or by the region as a whole. The last one has the region's first known mesh.
 Violation at_node(const PairStudy& s, std::size_t node, std::string what);
 Violation at_move(const PairStudy& s, const enumerate::FoundMove& move, std::string what);
 Violation at_region(const PairStudy& s, std::string what);
 Violation at_region(const VertexStudy& s, std::string what);
 
-// Judges every found configuration; `problem` gives "" or what is wrong. Does not apply where nothing was found.
+// Judges every found configuration. `problem` returns what is wrong, or "". Does not apply where nothing was found.
 template <class Problem>
 Judgement for_each_node(const PairStudy& s, Problem&& problem) {
   Judgement j;
@@ -44,7 +44,7 @@ Judgement for_each_node(const PairStudy& s, Problem&& problem) {
   return j;
 }
 
-// Judges every move that was made. Does not apply where none was.
+// Judges every move that was made. Does not apply where no move was made.
 template <class Problem>
 Judgement for_each_move(const PairStudy& s, Problem&& problem) {
   Judgement j;
@@ -60,7 +60,7 @@ Judgement for_each_move(const PairStudy& s, Problem&& problem) {
   return j;
 }
 
-// Counts what is required and keeps the first violation.
+// Counts requirements and keeps the first violation.
 class Requirements {
  public:
   explicit Requirements(Judgement& j) : j_(j) {}
@@ -73,10 +73,10 @@ class Requirements {
   Judgement& j_;
 };
 
-// The edges of a graph as a multiset of pairs of names, the lesser first; names are by vertex of the graph.
+// The edges of a graph as a multiset of pairs of names, the lesser name first. names[i] is the name of vertex i.
 std::map<std::pair<int, int>, int> edges_of(const theory::ConfigurationGraph& graph, const std::vector<int>& names);
 
-// The checks, by the files that hold them.
+// The checks, grouped by source.
 // theorems.cpp
 Judgement judge_theorem_1(const VertexStudy& s);
 Judgement judge_theorem(const PairStudy& s);  // T2, T3, T4

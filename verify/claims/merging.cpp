@@ -1,4 +1,4 @@
-// What becomes of a pair in the end: a 3-5 pair cannot be cancelled (N1), an equal one merges or is aligned (N2).
+// Claims about what a pair can become: a 3-5 pair cannot be cancelled (N1); an equal pair merges or is aligned (N2).
 #include <algorithm>
 
 #include "enumerate/search/search.hpp"
@@ -11,8 +11,8 @@ using enumerate::FoundMove;
 using enumerate::FoundNode;
 using theory::Configuration;
 
-// Cancelling would leave a filling of the same boundary without any irregular vertex: search finds none. The sides of
-// the meshes that moves made are never those of a regular grid.
+// Cancelling would leave a filling of the same boundary without irregular vertices. The search finds no such filling,
+// and the sides of the meshes that moves made are never those of a regular grid.
 Judgement judge_no_cancelling(const PairStudy& s) {
   Judgement j = for_each_node(s, [](const FoundNode& node) -> std::string {
     if (node.reading.irregular.size() != 2) return "a move lost the pair";
@@ -40,7 +40,7 @@ Judgement judge_merging(const PairStudy& s) {
   std::vector<std::vector<int>> by_any(n), by_slides(n);
   for (const FoundMove& move : s.found.moves) {
     if (move.to < 0) continue;
-    // From the goal back, against the moves. Moves have inverses, but the check does not rely on that.
+    // Searches from the goal backwards, against the moves. So the check does not rely on the moves having inverses.
     by_any[static_cast<std::size_t>(move.to)].push_back(move.from);
     const bool slide = move.move.step == mesh::PairStep::slide_first || move.move.step == mesh::PairStep::slide_second;
     if (slide) by_slides[static_cast<std::size_t>(move.to)].push_back(move.from);

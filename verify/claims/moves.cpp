@@ -21,7 +21,7 @@ const FoundNode& destination(const PairStudy& s, const FoundMove& move) {
   return s.found.nodes[static_cast<std::size_t>(move.to)];
 }
 
-// The labellings of a node, from a full reading of its mesh.
+// The labellings of a node, read off its whole mesh.
 std::vector<Configuration> labellings(const FoundNode& node) {
   std::vector<Configuration> result;
   for (const auto& frame : node.reading.frames) result.push_back(frame.labelling);
@@ -74,7 +74,7 @@ Judgement judge_distance_changed(const PairStudy& s) {
     const auto by_one = [](Integer a, Integer b) { return a - b == 1 || b - a == 1; };
     for (const Configuration& from : labellings(source(s, move))) {
       for (const Configuration& to : labellings(destination(s, move))) {
-        // A merged configuration reads the same in every quadrant p.
+        // The merged configuration has the same labels in every quadrant p.
         if ((from.p == to.p || from.merged() || to.merged()) && by_one(from.d1(), to.d1()) &&
             by_one(from.d2(), to.d2()))
           return "";
@@ -116,12 +116,12 @@ Judgement judge_faces(const PairStudy& s) {
   });
 }
 
-// A move keeps to the smallest convex region that holds both ends: take away every strip that neither end needs, and
-// the same move is made there, by the same number of operations. (Moves never touch the boundary of their region.)
+// A move stays within the smallest convex region that holds both its ends. Removes every strip that neither end needs,
+// and makes the same move there by the same number of operations. (Moves never touch the boundary of their region.)
 Judgement judge_locality(const PairStudy& s) {
   return for_each_move(s, [&s](const FoundMove& move) -> std::string {
     if (!move.before || !move.after) return "the move's frame has no labelling";
-    // The merged configuration is labelled in quadrant 1, whatever quadrant it is left to or reached from.
+    // The merged configuration is labelled in quadrant 1, whichever quadrant a move reaches it from or leads to.
     Configuration from = *move.before;
     Configuration to = *move.after;
     const Configuration& pair = from.merged() ? to : from;

@@ -1,5 +1,5 @@
-// Claims about basic and atomic operations (sections 2, 4, 5). The checks try every operation at every site of
-// generated neighbourhoods, but for those that change the boundary.
+// Claims about basic and atomic operations (sections 2, 4, 5). The checks try every operation that keeps the boundary,
+// at every site of generated neighbourhoods.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -20,10 +20,10 @@ using Kind = mesh::BasicOperation::Kind;
 
 namespace {
 
-constexpr int kLargestNeighbourhood = 60;  // faces; what exhausts pairs of operations takes smaller regions only
+constexpr int kLargestNeighbourhood = 60;  // faces; checks that try all pairs of operations use smaller regions only
 
-// Every legal operation that changes no valence on the boundary, each once: two flips of each edge, two collapses of
-// each face (one for each diagonal), one split for any two edges at a vertex.
+// All legal operations that change no valence on the boundary, each once: two flips for each edge, two collapses for
+// each face (one for each diagonal), and one split for any two edges at a vertex.
 std::vector<BasicOperation> all_operations(const QuadMesh& m) {
   std::vector<BasicOperation> operations;
   const auto add = [&](const BasicOperation& op) {
@@ -68,8 +68,8 @@ Result performed(const QuadMesh& m, const BasicOperation& op) {
 
 bool is_flip(Kind kind) { return kind == Kind::flip_ccw || kind == Kind::flip_cw; }
 
-// A region with the vertex at least two rings of quads from the boundary, so that no operation at the vertex comes near
-// it; null if there is none.
+// A region whose vertex is at least two rings of quads away from the boundary, so that no operation at the vertex comes
+// near the boundary. Null if there is none.
 const Region* neighbourhood(const VertexStudy& s) {
   for (const Region& region : s.glued) {
     const auto irregular = mesh::irregular_vertices(region.mesh);
@@ -106,15 +106,15 @@ const Region* sample(const Study& study) {
   return region != nullptr && region->mesh.face_count() <= kLargestNeighbourhood ? region : nullptr;
 }
 
-// How far valences are beyond 3 and 5.
+// How far the valences are outside 3 to 5, summed.
 int excess(const std::multiset<int>& valences) {
   int sum = 0;
   for (const int l : valences) sum += std::max(l - 5, 0) + std::max(3 - l, 0);
   return sum;
 }
 
-// Whether splits, each of which brings the valences nearer to v3s and v5s, lead all the way. The largest step first,
-// going back where it leads nowhere.
+// Whether a sequence of splits, each of which brings the valences nearer to v3s and v5s, reaches v3s and v5s alone.
+// Tries the largest step first and backtracks.
 bool reducible_by_splits(const QuadMesh& m, int now) {
   if (now == 0) return true;
   std::multimap<int, BasicOperation> better;
@@ -166,7 +166,7 @@ Judgement judge_valence_changes(const Study& s) {
       expected.erase(gone);
       --expected[m.target(op.h)], --expected[m.origin(m.previous(op.h))];
     } else {
-      // Groups of edges strictly between the two of the path, counted on the mesh as it was.
+      // The edges strictly between the two edges of the path, counted on the mesh before the split.
       int group = 0;
       for (HalfEdgeId h = m.ccw(op.h); h != m.twin(op.last); h = m.ccw(h)) ++group;
       const VertexId made = after.origin(QuadMesh::opposite(done.made));
@@ -192,8 +192,8 @@ Judgement judge_inverses(const Study& s) {
     ++j.checks;
     QuadMesh after = m;
     const mesh::Applied done = mesh::apply(after, op);
-    // A flip keeps the number of faces, a split adds one, a collapse removes one: so flips and splits never make a
-    // collapse, flips and collapses never a split.
+    // A flip keeps the number of faces, a split adds one, and a collapse removes one. So no sequence of flips and
+    // splits makes a collapse, and no sequence of flips and collapses makes a split.
     const int faces = op.kind == Kind::split ? 1 : op.kind == Kind::collapse ? -1 : 0;
     if (after.face_count() - m.face_count() != faces)
       return violated(*region, mesh::to_string(op) + " makes a wrong number of faces", j);
@@ -264,7 +264,8 @@ Judgement judge_vertex_steps(const VertexStudy& s) {
   const QuadMesh& m = region->mesh;
   const VertexId v = mesh::irregular_vertices(m)[0];
   const Kind other_kind = valence == 3 ? Kind::collapse : Kind::split;
-  // Per neighbour n of v: operations after which n has v's valence and what else is irregular is one adjacent 3-5 pair.
+  // For each neighbour n of v: the operations after which n has v's valence and everything else that is irregular is
+  // one adjacent 3-5 pair.
   std::map<VertexId, std::map<bool, int>> ways;
   for (const BasicOperation& op : all_operations(m)) {
     const Result r = performed(m, op);

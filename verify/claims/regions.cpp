@@ -24,7 +24,7 @@ std::string check_gauss_bonnet(const FoundNode& node) {
   return left == right ? "" : "turns and indices sum to " + std::to_string(left) + ", not " + std::to_string(right);
 }
 
-// The faces that touch R_alpha, as a region of their own, rooted at any corner.
+// The faces that touch R_alpha, as a region that is rooted at any of its corners.
 Region ring_of(const Region& region, const mesh::PairFrame& frame) {
   const auto& m = region.mesh;
   std::map<mesh::VertexId, int> number;
@@ -86,8 +86,8 @@ std::string check_lemma_9(const FoundNode& node) {
   return corners == expected ? "" : std::to_string(corners) + " sides, not 4 - G = " + std::to_string(expected);
 }
 
-// Growing by strips: after each strip the sides obey theory-1; once every side has one the region is convex; in the end
-// it is the glued one, which moves found too.
+// Grows a region by strips. After each strip the sides obey theory-1. Once every side has a strip the region is convex.
+// In the end it is isomorphic to the glued region, which moves found as well.
 std::string check_growth(PairType type, const FoundNode& node) {
   const Configuration& c = node.reading.configuration;
   const theory::PairSystem system(type);
@@ -128,8 +128,8 @@ Judgement judge_growth(const PairStudy& s) {
   return for_each_node(s, [&s](const FoundNode& node) { return check_growth(s.shape.type(), node); });
 }
 
-// Distinct configurations have distinct separatrix vectors. The vector is taken up to renaming: the least over the
-// frames and the order of the two vertices.
+// Distinct configurations have distinct separatrix vectors. Vectors are compared up to renaming: each stands for the
+// least one over the frames and both orders of the vertices.
 Judgement judge_theorem_11(const PairStudy& s) {
   std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
   Judgement j;

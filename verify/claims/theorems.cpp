@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// The map, or its part that holds the pair, as a graph; names are indices into map.nodes.
+// The map, or the part of it that holds the pair, as a graph. Names are indices into map.nodes.
 theory::ConfigurationGraph predicted_graph(const PairStudy& s, theory::Apex apex, std::vector<int>& names) {
   const theory::ConfigurationGraph all = theory::configuration_graph(s.map);
   std::vector<std::size_t> keep(num_vertices(all), 0);
@@ -101,8 +101,8 @@ void judge_moves(const PairStudy& s, Judgement& j) {
                 at_region(s, "the graph with apex differs from the predicted one: " + full_graph.difference));
   if (j.violation) return;
 
-  // Move by move: each step is one of the theorem's four, each step that theory allows in this region was realised in
-  // it, and so every other one refused.
+  // Move by move: each step is one of the theorem's four, and each step that theory allows in this region was realised.
+  // So every other step was refused.
   theory::ConfigurationMap map;
   try {
     map = found_map(s);
@@ -171,8 +171,9 @@ void judge_walk(const PairStudy& s, Judgement& j) {
 
 }  // namespace
 
-// There is one configuration at most unless 4 divides the valence. Then there are as many as the singular circulant has
-// positive solutions: (L-1)^2 in a regular region of side L. Compares the search with the predicted meshes, glued.
+// There is at most one configuration unless 4 divides the valence. Then there are as many as the singular circulant has
+// positive solutions: (L-1)^2 in a regular region of side L. Compares the search with the predicted meshes, which are
+// glued.
 Judgement judge_theorem_1(const VertexStudy& s) {
   if (!s.searched || s.valence() == 4) return not_applicable();
   Judgement j;

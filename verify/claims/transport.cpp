@@ -33,8 +33,8 @@ bool holds_edge(const QuadMesh& m, const std::array<VertexId, 2>& edge) {
   return m.is_live(edge[0]) && m.is_live(edge[1]) && m.adjacent(edge[0], edge[1]);
 }
 
-// Of the edges that a move removes, one farthest from the pair; nothing if the move removes none. A feature on it is in
-// the way of the move.
+// Among the edges that a move removes, one farthest from the pair. Nothing if the move removes none. A feature on this
+// edge obstructs the move.
 std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const FoundMove& move) {
   const QuadMesh& m = node.region.mesh;
   QuadMesh after = m;
@@ -64,8 +64,8 @@ std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
 }  // namespace
 
 // Makes each move again with a feature on an edge that the direct path removes. The direct path is then refused.
-// Adjacent pairs that are transported in all directions go round the feature or not at all; they keep it, and they make
-// no configuration that moves do not make.
+// Adjacent pairs are transported in all directions. They go round the feature or are refused. They keep the feature,
+// and every configuration they make is one that moves make.
 Judgement judge_detour(const PairStudy& s) {
   if (s.found.nodes.empty() || s.shape.perimeter() > kLargestDetour) return not_applicable();
   Judgement j;

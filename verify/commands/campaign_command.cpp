@@ -30,7 +30,7 @@ std::set<Method> methods_of(const Options& options) {
   return methods;
 }
 
-// The claims of --claim. Without it: all that have use for one of the methods.
+// The claims of --claim; without it all claims that can use one of the methods.
 std::vector<const Claim*> select(const Options& options, const std::set<Method>& methods) {
   std::vector<const Claim*> selected;
   if (!options.has("claim")) {
@@ -63,7 +63,7 @@ int print_proofs(const std::vector<const Claim*>& claims) {
   return code;
 }
 
-// Writes each violating mesh to a file that has the name of its claim.
+// Writes each violating mesh to a file that is named after its claim.
 void write_violations(const CampaignResult& result, const std::string& folder) {
   for (const ClaimResult& c : result.claims) {
     if (!c.violation || !c.violation->mesh) continue;
@@ -83,7 +83,7 @@ void print_claims() {
   }
 }
 
-// The ranges of side lengths and perimeters. Walks alone can go further than what keeps every mesh.
+// The ranges of side lengths and perimeters. If only walks are asked for, they may be larger: moves keep every mesh.
 Ranges ranges_of(const Options& options, const std::set<Method>& methods) {
   const bool walks_alone = methods == std::set<Method>{Method::walk};
   Ranges ranges;

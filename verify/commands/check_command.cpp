@@ -1,4 +1,4 @@
-// requad-verify check: checks certificates again, by a program that shares no code with what made them.
+// requad-verify check: checks certificates again, by a program that shares no code with the one that made them.
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace requad::verify {
 
 namespace {
 
-// Replaces this program by requad-verify-check; returns only by throwing UsageError.
+// Replaces this program by requad-verify-check. Does not return. Throws UsageError if that program cannot be started.
 int check(const std::string& folder, const char* self) {
   std::error_code error;
   const std::filesystem::path running = std::filesystem::read_symlink("/proc/self/exe", error);

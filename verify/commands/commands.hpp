@@ -6,10 +6,10 @@
 
 namespace requad::verify {
 
-// Without the name of a command: checks claims. The processes must outlive the command.
+// Checks claims; it has no command name. The processes must outlive the command.
 program::Command campaign_command(Processes& processes);
-// check: starts requad-verify-check, which lies beside this program and shares no code with it. `self` is how this
-// program was called.
+// check: starts requad-verify-check, which is in the same folder as this program and shares no code with it. `self` is
+// the name by which this program was called.
 program::Command check_command(const Processes& processes, const char* self);
 
 }  // namespace requad::verify

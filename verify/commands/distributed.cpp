@@ -14,12 +14,12 @@ namespace mpi = boost::mpi;
 
 namespace {
 
-// A rank asks for work by sending its last result, an empty one at first, and gets the number of a case or kNoMore. Or it
-// leaves, and gets nothing.
+// A rank asks for work by sending its last result, or an empty one at first. It receives the number of a case or
+// kNoMore. A rank that sends kLeaves or kExhausted receives nothing.
 constexpr int kResult = 1;
 constexpr int kCase = 2;
 constexpr std::int64_t kNoMore = -1;
-const std::string kLeaves = "leaves";  // for it has wrong arguments, or can not write here what rank 0 may write there
+const std::string kLeaves = "leaves";        // because of wrong arguments, or of an output that only rank 0 can write
 const std::string kExhausted = "exhausted";  // it has no memory for a case
 
 }  // namespace
@@ -27,8 +27,8 @@ const std::string kExhausted = "exhausted";  // it has no memory for a case
 struct Processes::State {
   mpi::environment environment;
   mpi::communicator world;
-  int asking = 0;          // on rank 0: ranks that were not dismissed yet
-  bool dismissed = false;  // on the others
+  int asking = 0;          // on rank 0: number of ranks that are not yet dismissed
+  bool dismissed = false;  // on the other ranks
 };
 
 Processes::Processes(int& argc, char**& argv) : state_(new State{{argc, argv}, {}, 0, false}) {
@@ -93,7 +93,7 @@ void Processes::work(const std::function<CaseResult(std::size_t)>& run) {
     }
     try {
       text = to_json(run(static_cast<std::size_t>(index))).dump();
-    } catch (...) {  // nothing but exhaustion leaves a case; rank 0 says so, unless MPI ends it because this rank fails
+    } catch (...) {  // only exhaustion gets here; rank 0 reports it, unless MPI ends rank 0 first
       world.send(0, kResult, kExhausted);
       state_->dismissed = true;
       return;

@@ -7,7 +7,7 @@
 
 namespace {
 
-// Takes whatever is printed and keeps nothing.
+// Discards everything that is printed.
 class Discard : public std::streambuf {
   int_type overflow(int_type c) override { return traits_type::not_eof(c); }
 };
@@ -17,7 +17,7 @@ class Discard : public std::streambuf {
 int main(int argc, char** argv) {
   using namespace requad::verify;
   Processes processes(argc, argv);
-  // What is printed is printed once: by the process that leads.
+  // Only the process that leads prints.
   static Discard discard;
   if (!processes.leads()) {
     std::cout.rdbuf(&discard);

@@ -1,4 +1,4 @@
-// What a campaign looks at: one convex region, and the irregular vertices that it holds.
+// A case of a campaign: one convex region and the irregular vertices that it holds.
 //
 // Terms
 //   pair       two irregular vertices of the paper's three types: 3-3, 5-5 or 3-5.

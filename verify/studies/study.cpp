@@ -60,7 +60,7 @@ Signatures signatures(const theory::IntegerVector& sides, std::vector<int> irreg
   return result;
 }
 
-constexpr int kLongestVertexSearch = 40;  // perimeter; larger regions with one vertex are there for operations only
+constexpr int kLongestVertexSearch = 40;  // perimeter; larger regions serve the checks of operations only
 
 VertexStudy study_vertex(const VertexCase& region, const std::set<Method>& methods) {
   VertexStudy s{region.sides, {}, std::nullopt};
@@ -131,7 +131,7 @@ PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& m
     s.searched = signatures(shape.sides(), {type.l1, type.l2});
     if (type.symmetric()) s.searched_merged = signatures(shape.sides(), {type.side_count()});
   }
-  // The pair's first configuration; where there is none there is nothing to explore.
+  // The pair's first configuration. Without one there is nothing to explore.
   const auto start = std::find_if(s.map.nodes.begin(), s.map.nodes.end(),
                                   [](const theory::MapNode& node) { return !node.configuration.merged(); });
   if (!moves || start == s.map.nodes.end()) return s;
@@ -148,11 +148,11 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
 theory::ConfigurationMap found_map(const PairStudy& s) {
   theory::ConfigurationMap map = s.map;
   for (theory::MapNode& node : map.nodes) std::fill(node.moves.begin(), node.moves.end(), theory::Dart{});
-  // Which of a node's moves makes the step from one labelling to another.
+  // Finds which of a node's moves makes the step from one labelling to another.
   const auto slot_of = [&](int node, const theory::Configuration& from, const theory::Configuration& to) {
     const theory::MapNode& n = map.nodes[static_cast<std::size_t>(node)];
     for (std::size_t slot = 0; slot < n.steps.size(); ++slot) {
-      // The merged configuration reads the same whatever p: the step out of it goes to (1,1,p).
+      // The merged configuration has the same labels for every p. The step out of it goes to (1,1,p).
       const bool from_here = from.merged() ? n.labellings[slot].p == to.p : n.labellings[slot] == from;
       const theory::Configuration expected = theory::stepped(map.type, n.labellings[slot], n.steps[slot]);
       const bool to_there = expected.merged() ? to.merged() : expected == to;

@@ -1,7 +1,7 @@
-// A study: everything that is found out about one region before any claim is judged.
+// A study: all facts about one region, collected before any claim is judged.
 //
-// The facts come from two sides that do not know each other. theory/ predicts from the side lengths; enumerate/ moves
-// pairs on meshes and reads labels off them. The claims (claims.hpp) only compare.
+// The facts come from two independent sources. theory/ predicts from the side lengths. enumerate/ moves pairs on meshes
+// and reads labels off them. The claims (claims/claims.hpp) only compare.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@
 
 namespace requad::verify {
 
-// How configurations are found: by pair moves from one of them, by filling the boundary without any theorem, or by a
-// walk on one mesh (enumerate/walk.hpp), which goes much further.
+// How configurations are found: by pair moves from one of them, by a search for fillings of the boundary that uses no
+// theorem, or by a walk on one mesh (enumerate/walk.hpp), which reaches much larger regions.
 enum class Method { moves, search, walk };
 const char* name(Method method);
 
@@ -31,7 +31,7 @@ struct PairStudy {
   // Predicted.
   theory::Integer exact_count = 0;
   theory::ConfigurationMap map;  // with apex; empty if neither moves nor a search are asked for
-  // Found by moves from one start, the first predicted configuration, glued; empty if moves are not asked for.
+  // Found by moves from one start, the glued first predicted configuration. Empty if moves are not asked for.
   enumerate::Exploration found;
   std::vector<int> predicted_of;  // for each found node: its index in map.nodes, -1 if its label is not predicted
   // Found by a search, if that is asked for.
@@ -62,14 +62,14 @@ struct TripleStudy {
 using Study = std::variant<PairStudy, VertexStudy, TripleStudy>;
 Family family_of(const Study& study);
 
-// Studies a region. O(nodes * moves * mesh) for moves, beside the cost of a search; a walk takes O(L^3) time and O(L^2)
-// memory and reports the configurations that it visits to `progress`. Throws std::logic_error if the program
-// contradicts itself.
+// Studies a region by these methods. A walk reports the configurations that it visits to `progress`. Throws
+// std::logic_error if the program contradicts itself. Moves take O(nodes * moves * mesh) time. A walk takes O(L^3) time
+// and O(L^2) memory.
 Study study(const RegionCase& region, const std::set<Method>& methods, const enumerate::WalkProgress& progress = {});
 // The same for a pair.
 PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& methods,
                      const enumerate::WalkProgress& progress = {});
-// The study of an exploration that was made already; by moves alone.
+// The study, by moves alone, of an exploration that was made before.
 PairStudy study_moves(enumerate::Exploration found);
 
 // The moves that were found, as a map like the predicted one: each node has the same labellings and steps in the same
