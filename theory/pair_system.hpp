@@ -5,6 +5,9 @@
 //   R_alpha         the d1 x d2 grid between v1 and v2, which are opposite corners of it (Lemma 7.8). If d1 or d2 is
 //                   0, it is a segment.
 //   leg             a separatrix of v1 or v2 that runs along R_alpha. Each vertex has two.
+//                   Counter-clockwise, the first leg comes before the second, with R_alpha between them, and the
+//                   outward ones follow.
+//   d1, d2          the extents of R_alpha: d1 along the second leg of v1, d2 along its first leg.
 //   outward         any other separatrix. v1 has l1 - 2 of them and v2 has l2 - 2. They are numbered 1..k
 //                   counter-clockwise round R, those of v1 first. k = l1 + l2 - 4 = 4 - G(R) is also the number of
 //                   sides of R (Lemma 7.9).

@@ -6,7 +6,9 @@
 //              the second one counter-clockwise, and R_alpha lies between them.
 //   outward    every other separatrix. Those of v1 follow its second leg counter-clockwise.
 //   d1, d2     the extents of R_alpha: d1 along the second leg of v1, d2 along its first leg. They are the d1 and d2 of
-//              the paper's side-length equations, with sides and outward separatrices numbered counter-clockwise.
+//              the paper's side-length equations, with sides and outward separatrices numbered counter-clockwise. They
+//              lie crosswise because an extent counts for the outward separatrix next to the leg: the first outward one
+//              follows the second leg, so d1 is added to its side (theory-1).
 //
 //              y ------------ v2            first leg of v1: v1 -> x, length d2
 //              |   R_alpha    | d1          second leg of v1: v1 -> y, length d1

@@ -24,6 +24,10 @@
 // Law irregular-12 (locality, claim N4). A move changes no valence outside the smallest convex region that holds the
 // pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
 //
+// Legality. A move is legal if all its operations are, and if it meets no boundary and no other irregular vertex.
+// Nothing predicts this: move_pair() tries, and takes everything back if an operation is refused. pair_moves() lists
+// candidates only.
+//
 // Costs: max(d1, d2) + O(1) basic operations for a slide, d1 + d2 + O(1) for open and close, whatever the size of the
 // mesh. The frame in the report takes walks of d1 + d2 edges and no operation.
 #pragma once

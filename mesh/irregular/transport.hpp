@@ -4,8 +4,8 @@
 // other irregular vertex. There it is absorbed, and that vertex moves by an edge too. So every operation of the paper
 // on two or more irregular vertices is a sequence of such transports.
 //
-// An adjacent pair is written u -> v, from its v3 to its v5. More generally u -> v means "u has one edge less and v one
-// edge more than without the pair", whatever valences they have without it. This covers both ends of a transport:
+// An adjacent pair is written u -> v, from its v3 to its v5. More generally, u -> v means that u has one edge fewer,
+// and v one edge more, than it would have without the pair, whatever that valence is. This covers both ends of a transport:
 //   sent from a v3 at u      u -> v, where v is regular. Without the pair, the v3 would be at v.
 //   sent from a v5 at v      u -> v, where u is regular. Without the pair, the v5 would be at u.
 //   absorbed by a v3 at v    v becomes regular, and u is the v3. (A v2 becomes a v3 beside another.)
@@ -18,8 +18,8 @@
 //
 //      d --- c --- y        collapse  u onto c; the pair is then d -> c
 //      |  L  |     |        flip      the edge v-c to u-y; the pair is then c -> y
-//      u --> v --- x        split     v along u - v - z, where z is the second edge from v3 on that hand; the pair is
-//                                     then (the part of v on that hand) -> z
+//      u --> v --- x        split     v along u - v - z, where v-z is the second edge of v from v-u on that hand; the
+//                                     pair is then (the part of v on that hand) -> z
 //
 // Law irregular-1. A step raises the valence of u by one and lowers that of v by one, back to what they are without the
 //         pair. It lowers the valence of the next u by one and raises that of the next v by one. It changes no other

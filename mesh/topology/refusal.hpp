@@ -2,8 +2,8 @@
 //
 // Each layer of mesh/ refuses for reasons of its own: the basic operations for those listed here, features for those of
 // FeatureRefusal (editing/features.hpp), edits of irregular vertices for those of EditRefusal
-// (irregular/edit_refusal.hpp). A Refusal can be any of them, so that it passes unchanged from the layer that refuses
-// to the user. It is as cheap as a pointer.
+// (irregular/edit_refusal.hpp). A Refusal can be any of them, so it reaches the user unchanged, whichever layer
+// refused. It is as cheap as a pointer.
 #pragma once
 
 #include <compare>
@@ -13,8 +13,8 @@ namespace requad::mesh {
 
 class Refusal {
  public:
-  // A reason, which lives as long as the program. `rank` is its own: reports list reasons by rank. `clause` says it in
-  // one short clause without full stop.
+  // A reason, which lives as long as the program. Each reason has its own `rank`: reports list reasons by it. `clause`
+  // says it in one short clause without full stop.
   struct Reason {
     int rank;
     std::string_view clause;

@@ -42,7 +42,7 @@ const Table kMayInclude{
     {"mesh/geometry", {"mesh/topology"}},
     {"mesh/files", {"mesh/topology", "mesh/geometry"}},
     {"mesh/editing", {"mesh/topology", "mesh/geometry", "mesh/files"}},
-    {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/threads"}},
+    {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing"}},
     {"mesh/threads", {}},
     {"mesh/program", {}},
     {"mesh/pictures", {"mesh/topology", "mesh/geometry"}},
