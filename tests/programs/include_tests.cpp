@@ -1,38 +1,192 @@
-// Who includes whom: theory/ and mesh/ do not know each other, so that what one predicts is compared with what the other
-// does; the folders above them include only folders below.
+// Who includes whom. A room is a folder that holds sources; it may include its own headers and those of the rooms that the
+// table below names, which is the one of the project's design. theory/ and mesh/ do not know each other, so that what one
+// predicts is compared with what the other does; and what lies below does not know what lies above.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/support/catch.hpp"
 
-TEST_CASE("each folder includes only those it may use", "[includes]") {
-  const std::map<std::string, std::set<std::string>> may_use{
-      {"theory", {}},
-      {"mesh", {}},
-      {"enumerate", {"theory", "mesh"}},
-      {"verify", {"theory", "mesh", "enumerate"}},
-      {"figures", {"theory", "mesh", "enumerate"}},
-  };
-  const std::string include = "#include \"";
-  for (const auto& [folder, used] : may_use) {
-    int own = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::string(REQUAD_SOURCE_DIR) + "/" + folder)) {
-      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-      std::ifstream in(entry.path());
+namespace {
+
+namespace fs = std::filesystem;
+using Rooms = std::set<std::string>;
+using Table = std::map<std::string, Rooms>;
+
+Rooms operator+(Rooms a, const Rooms& b) {
+  a.insert(b.begin(), b.end());
+  return a;
+}
+
+const Rooms kTheory{"theory", "theory/proofs"};
+// requad::mesh, from the lowest room up.
+const Rooms kMesh{"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/irregular"};
+const Rooms kPlumbing{"mesh/threads", "mesh/program"};
+const Rooms kEnumerate{"enumerate", "enumerate/search"};
+const Rooms kVerify{"verify", "verify/studies", "verify/claims"};
+const Rooms kFigures{"figures", "figures/pictures", "figures/explorer"};
+const Rooms kBelowEnumerate = kTheory + kMesh + kPlumbing;
+const Rooms kBelowVerify = kBelowEnumerate + kEnumerate;
+const Rooms kBelowFigures = kBelowVerify + kVerify + Rooms{"mesh/pictures"};
+const Rooms kAll = kBelowFigures + kFigures;
+
+const Table kMayInclude{
+    {"theory", {}},
+    {"theory/proofs", {"theory"}},
+
+    {"mesh/topology", {}},
+    {"mesh/geometry", {"mesh/topology"}},
+    {"mesh/files", {"mesh/topology", "mesh/geometry"}},
+    {"mesh/editing", {"mesh/topology", "mesh/geometry", "mesh/files"}},
+    {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/threads"}},
+    {"mesh/threads", {}},
+    {"mesh/program", {}},
+    {"mesh/pictures", {"mesh/topology", "mesh/geometry"}},
+    {"mesh/commands", kMesh + kPlumbing + Rooms{"mesh/pictures"}},
+
+    {"enumerate/search", kMesh + kPlumbing},
+    {"enumerate", kBelowEnumerate},
+    {"enumerate/commands", kBelowVerify},
+
+    {"verify/studies", kBelowVerify},
+    {"verify/claims", kBelowVerify + Rooms{"verify/studies"}},
+    {"verify", kBelowVerify + Rooms{"verify/studies", "verify/claims"}},
+    {"verify/check", {}},
+    {"verify/commands", kBelowVerify + kVerify},
+
+    {"figures", kBelowFigures},
+    {"figures/pictures", kBelowFigures + Rooms{"figures"}},
+    {"figures/explorer", kBelowFigures + Rooms{"figures"}},
+    {"figures/commands", kAll},
+
+    {"bench", kAll},
+
+    {"tests/support", {}},
+    {"tests/support/theory", kTheory},
+    {"tests/support/mesh", kMesh + Rooms{"tests/support"}},
+    {"tests/support/enumerate", kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh"}},
+    {"tests/theory", kTheory + Rooms{"tests/support", "tests/support/theory"}},
+    {"tests/mesh", kMesh + kPlumbing + Rooms{"mesh/pictures", "tests/support", "tests/support/mesh"}},
+    {"tests/enumerate",
+     kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/verify",
+     kBelowVerify + kVerify +
+         Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/figures",
+     kAll + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/programs",
+     kAll + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/fuzz", kBelowVerify + kVerify + Rooms{"verify/check"}},
+    {"tests/package", {}},
+};
+
+// For each room that has sources: the rooms that they include, and where.
+using Arrows = std::map<std::string, std::map<std::string, std::string>>;
+
+Arrows arrows_of_sources() {
+  const fs::path root = REQUAD_SOURCE_DIR;
+  Arrows arrows;
+  for (const std::string folder : {"theory", "mesh", "enumerate", "verify", "figures", "bench", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path& path = entry.path();
+      if (path.extension() != ".cpp" && path.extension() != ".hpp") continue;
+      auto& included = arrows[path.parent_path().lexically_relative(root).generic_string()];
+      std::ifstream in(path);
+      const std::string include = "#include \"";
       for (std::string line; std::getline(in, line);) {
         if (line.rfind(include, 0) != 0) continue;
-        const std::string included = line.substr(include.size(), line.find('/') - include.size());
-        if (included == folder) ++own;
-        const bool ours = may_use.count(included) > 0 || included == "bench" || included == "tests";
-        INFO(entry.path() << ": " << line);
-        CHECK((!ours || included == folder || used.count(included) > 0));
+        const std::string header = line.substr(include.size(), line.find('"', include.size()) - include.size());
+        included.emplace(fs::path(header).parent_path().generic_string(), path.generic_string() + ": " + line);
       }
     }
-    INFO(folder);
-    CHECK(own > 10);
   }
+  return arrows;
+}
+
+// What is wrong, a line each.
+std::vector<std::string> problems(const Arrows& arrows, const Table& may_include) {
+  std::vector<std::string> found;
+  for (const auto& [room, included] : arrows) {
+    const auto row = may_include.find(room);
+    if (row == may_include.end()) {
+      found.push_back(room + " is in no row of the table");
+      continue;
+    }
+    for (const auto& [other, where] : included) {
+      if (other != room && row->second.count(other) == 0)
+        found.push_back(room + " may not include " + other + ": " + where);
+    }
+  }
+  return found;
+}
+
+// Rooms that include each other in a circle; empty if there are none.
+std::vector<std::string> circle(const Arrows& arrows) {
+  std::vector<std::string> path;
+  std::set<std::string> done;
+  const auto search = [&](auto&& self, const std::string& room) -> bool {
+    if (const auto again = std::find(path.begin(), path.end(), room); again != path.end()) {
+      path.erase(path.begin(), again);
+      return true;
+    }
+    if (done.count(room) > 0) return false;
+    path.push_back(room);
+    if (const auto row = arrows.find(room); row != arrows.end()) {
+      for (const auto& [other, where] : row->second) {
+        if (other != room && self(self, other)) return true;
+      }
+    }
+    path.pop_back();
+    done.insert(room);
+    return false;
+  };
+  for (const auto& [room, included] : arrows) {
+    if (search(search, room)) return path;
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("each room includes only those that it may", "[includes]") {
+  const Arrows arrows = arrows_of_sources();
+  CHECK(problems(arrows, kMayInclude) == std::vector<std::string>{});
+  CHECK(circle(arrows) == std::vector<std::string>{});
+  for (const auto& [room, row] : kMayInclude) {
+    INFO(room << " has no sources");
+    CHECK(arrows.count(room) == 1);
+  }
+}
+
+TEST_CASE("the certificates' checker includes the standard library only", "[includes]") {
+  for (const auto& entry : fs::directory_iterator(std::string(REQUAD_SOURCE_DIR) + "/verify/check")) {
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("#include", 0) != 0) continue;
+      INFO(line);
+      CHECK(line.find('<') != std::string::npos);
+      CHECK(line.find('/') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("wrong arrows, rooms without a row and circles are found", "[includes]") {
+  const Table table{{"low", {}}, {"high", {"low"}}, {"beside", {"high"}}};
+  const Arrows good{{"low", {{"low", "a"}}}, {"high", {{"low", "b"}}}, {"beside", {{"high", "c"}}}};
+  CHECK(problems(good, table).empty());
+  CHECK(circle(good).empty());
+  Arrows up = good;
+  up["low"]["beside"] = "d";
+  CHECK(problems(up, table) == std::vector<std::string>{"low may not include beside: d"});
+  CHECK(std::set<std::string>{"beside", "high", "low"} == [&] {
+    const auto rooms = circle(up);
+    return std::set<std::string>(rooms.begin(), rooms.end());
+  }());
+  Arrows unknown = good;
+  unknown["new"] = {};
+  CHECK(problems(unknown, table) == std::vector<std::string>{"new is in no row of the table"});
 }
