@@ -17,11 +17,11 @@ using namespace requad;
 using namespace requad::mesh;
 using requad::tests::irregular_valences;
 
-TEST_CASE("Couriers take the way of the pair moves where nothing is in the way", "[courier]") {
-  // Every configuration that pair moves reach in one step is reached by couriers too, and couriers reach no other.
+TEST_CASE("a transported pair takes the path of the pair moves where nothing is in the way", "[transport]") {
+  // Every configuration that pair moves reach in one step is reached by transports too, and transports reach no other.
   const auto found = enumerate::explore(
       theory::kHexagon, {enumerate::glue_region(theory::kHexagon, {{1, 1, theory::IntegerVector::Constant(6, 2)}, 1})});
-  std::map<int, std::set<std::string>> by_moves, by_couriers;
+  std::map<int, std::set<std::string>> by_moves, by_transport;
   for (const auto& move : found.moves) {
     if (move.to >= 0 && found.holds_pair(move.to) && found.holds_pair(move.from))
       by_moves[move.from].insert(found.nodes[static_cast<std::size_t>(move.to)].signature);
@@ -40,7 +40,7 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
         if (transport.carry({start}, std::array{pair[static_cast<std::size_t>(1 - k)]}).refusal != Refusal::none)
           continue;
         CHECK(validate(m).empty());
-        by_couriers[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
+        by_transport[static_cast<int>(i)].insert(signature(m, m.out(region.mesh.origin(region.root))));
         editor.roll_back();
         CHECK(m == region.mesh);
       }
@@ -49,7 +49,7 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
   std::set<std::string> known;
   for (const auto& node : found.nodes) known.insert(node.signature);
   int same = 0;
-  for (const auto& [node, results] : by_couriers) {
+  for (const auto& [node, results] : by_transport) {
     for (const auto& result : results) CHECK(known.count(result) == 1);
     same += std::includes(results.begin(), results.end(), by_moves[node].begin(), by_moves[node].end()) ? 1 : 0;
   }
@@ -57,7 +57,7 @@ TEST_CASE("Couriers take the way of the pair moves where nothing is in the way",
   CHECK(same > 0);
 }
 
-TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without", "[complementary]") {
+TEST_CASE("section 8: a 3-5 pair is cancelled with a third vertex, never without", "[complementary]") {
   // 6,6,6 has 75 fillings with 3-3-5 and one with a single v3 (exhaustive search).
   enumerate::SearchLimits limits;
   limits.threads = 1;
@@ -87,7 +87,7 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
   CHECK(fillings == 75);
 }
 
-TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
+TEST_CASE("section 8: merging and aligning, and why not", "[complementary]") {
   const auto irregular_of = [](const QuadMesh& m) { return irregular_vertices(m); };
   for (const auto& [type, merged] : {std::pair{theory::kDigon, 2}, std::pair{theory::kHexagon, 6}}) {
     for (const theory::Configuration& c :

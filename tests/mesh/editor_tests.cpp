@@ -1,4 +1,4 @@
-// Editors, features, couriers and the complementary operations, on generated meshes.
+// Editors, features, transported pairs and how vertices are parted, on generated meshes.
 #include <map>
 #include <random>
 
@@ -80,7 +80,7 @@ TEST_CASE("Law E1: a move from 0 to -0 is a move, and is taken back", "[editor]"
   CHECK(same_bits(positions[4], Eigen::Vector3d::Zero()));
 }
 
-TEST_CASE("Law C1: a step changes the valences of both places of the courier and no other", "[courier]") {
+TEST_CASE("Law C1: a step changes the valences of the pair where it was and where it is, and no other", "[transport]") {
   // By hand: u gains and v loses an edge, the next u loses and the next v gains one.
   const Region start = tests::pair_region({3, 5, 1, 0}, {3, 3, 3, 3});
   const auto pair = irregular_vertices(start.mesh);
@@ -109,7 +109,7 @@ TEST_CASE("Law C1: a step changes the valences of both places of the courier and
   }
 }
 
-TEST_CASE("Any valence is parted into v3s and v5s", "[complementary]") {
+TEST_CASE("any valence is parted into v3s and v5s", "[complementary]") {
   for (int valence = 6; valence <= 12; ++valence) {
     const Region region = tests::star(std::vector<int>(static_cast<std::size_t>(valence), 4));
     QuadMesh m = region.mesh;

@@ -140,7 +140,7 @@ struct Bench {
   void send(VertexId three, VertexId five, VertexId target) {
     REQUIRE(transport.carry({mesh.find_half_edge(three, five), false}, std::array{target}).refusal == Refusal::none);
   }
-  // The v5 takes a step, and the v3 the courier that this leaves behind.
+  // The v5 takes a step, and the v3 takes the 3-5 pair that this leaves behind.
   void step(VertexId five, VertexId to, VertexId three) {
     REQUIRE(transport.carry({mesh.find_half_edge(five, to), true}, std::array{three}).refusal == Refusal::none);
   }
@@ -184,7 +184,7 @@ Surface figure_17() {
   return bench.result();
 }
 
-// Figure 18: of four irregular vertices on a side of a sharp block, one was led on to an edge of it: three couriers
+// Figure 18: of four irregular vertices on a side of a sharp block, one was led on to an edge of it: three transports
 // from the v5s let it come nearer by an edge each.
 Surface figure_18() {
   const Model model = block(8, false);

@@ -11,6 +11,7 @@
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/program/program.hpp"
 #include "mesh/topology/validate.hpp"
+#include "tests/mesh/file_texts.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"

@@ -11,6 +11,7 @@
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/program/program.hpp"
 #include "mesh/topology/validate.hpp"
+#include "tests/mesh/file_texts.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
@@ -20,22 +21,6 @@ using namespace requad::mesh;
 using namespace requad::tests;
 
 namespace {
-
-const std::string kFourVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
-// What the reader says of a text, as "line: reason"; "" if it is read.
-template <class Parse>
-std::string complaint(const Parse& parse, const std::string& text) {
-  try {
-    parse(text, "file");
-  } catch (const FileError& error) {
-    const std::string message = error.what();
-    CHECK(message.find('\n') == std::string::npos);
-    REQUIRE(message.rfind("file:", 0) == 0);
-    return message.substr(5);
-  }
-  return "";
-}
 
 std::string of_obj(const std::string& text) { return complaint(parse_obj, text); }
 std::string of_off(const std::string& text) { return complaint(parse_off, text); }

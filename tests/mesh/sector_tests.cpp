@@ -1,4 +1,4 @@
-// Sectors of fixed vertices: Law S, what angles ask for, and couriers that repair features and boundaries.
+// Sectors of fixed vertices: Law S, what angles ask for, and transported pairs that repair features and boundaries.
 #include <map>
 #include <numeric>
 #include <random>

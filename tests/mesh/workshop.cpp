@@ -4,6 +4,7 @@
 #include <array>
 #include <sstream>
 
+#include "mesh/editing/affected_region.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"

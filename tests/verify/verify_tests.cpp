@@ -225,7 +225,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   not_single.single = {quad.found.nodes[0].region};
   CHECK_FALSE(claim("B1").judge(not_single).applies);
   fails("P4", digon, [](Study& x) {
-    // The configuration that a courier should make is forgotten.
+    // The configuration that a transported pair should make is forgotten.
     for (auto& node : x.found.nodes) node.signature += "0";
   });
   fails("P4", quad, [&](Study& x) {
