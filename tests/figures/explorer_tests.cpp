@@ -1,7 +1,5 @@
-// The explorer: its data against the exploration and the theory, and its page in a browser, by clicks and keys, against
-// the predicted graph. Meshes that the page shows are rebuilt from its face lists and compared by their signatures.
+// The explorer's data and its page as a file, against the exploration and the theory.
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 #include <set>
 
@@ -10,7 +8,7 @@
 #include "mesh/geometry/drawing.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
-#include "tests/support/browser.hpp"
+#include "tests/figures/explorer_examples.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"

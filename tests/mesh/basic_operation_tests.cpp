@@ -147,11 +147,11 @@ void check_all_sites(const Region& region, Tally& tally) {
 TEST_CASE("every basic operation at every site of every region of perimeter <= 16", "[operations]") {
   Tally total;
   const auto regions = tests::small_regions(16, true);
-  CHECK(regions.size() > 300);
+  CHECK(regions.size() > 100);
   for (const tests::SmallRegion& small : regions) check_all_sites(small.region, total);
   WARN(regions.size() << " regions: " << total.legal << " operations performed, " << total.refused << " refused");
-  CHECK(total.legal > 100000);
-  CHECK(total.refused > 2000);
+  CHECK(total.legal > 30000);
+  CHECK(total.refused > 10000);
 }
 
 TEST_CASE("every basic operation at every site of every small disk", "[operations]") {
@@ -165,8 +165,8 @@ TEST_CASE("every basic operation at every site of every small disk", "[operation
     }
   }
   WARN(disks << " disks: " << total.legal << " operations performed, " << total.refused << " refused");
-  CHECK(total.legal > 20000);
-  CHECK(total.refused > 20000);
+  CHECK(total.legal > 50000);
+  CHECK(total.refused > 50000);
 }
 
 TEST_CASE("every flip and collapse at every site of closed meshes", "[operations]") {

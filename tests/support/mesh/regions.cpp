@@ -153,14 +153,16 @@ Region pair_region(const PairShape& shape, const std::vector<int>& strips) {
   return with_strips(small_pair(shape), strips);
 }
 
-std::vector<SmallRegion> small_regions(int perimeter, bool with_stars) {
+std::vector<SmallRegion> small_regions(int perimeter, bool with_stars, Roots roots) {
   std::vector<SmallRegion> regions;
   std::set<std::string> known;
   const auto add_all = [&](const Growth& start, const PairShape& shape) {
     for_each_grown(start, perimeter, 0, [&](const Growth& growth) {
       for (std::size_t side = 0; side < growth.sides.size(); ++side) {
         Region region = growth.region(side);
-        if (known.insert(mesh::signature(region)).second) regions.push_back({std::move(region), shape});
+        const std::string name = roots == Roots::one ? mesh::canonical_signature(region.mesh) : mesh::signature(region);
+        if (known.insert(name).second) regions.push_back({std::move(region), shape});
+        if (roots == Roots::one) break;
       }
     });
   };

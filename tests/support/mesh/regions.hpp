@@ -33,7 +33,8 @@ struct SmallRegion {
   PairShape shape;  // l2 = 0: a star of valence l1
 };
 // The regions with a pair 3-3, 3-5 or 5-5 and, if asked for, the stars of valence 2, 4 and 6, of at most this perimeter:
-// each once for each corner as its root, up to an isomorphism that keeps the root.
-std::vector<SmallRegion> small_regions(int perimeter, bool with_stars);
+// each once up to isomorphism, or once for each corner as its root up to an isomorphism that keeps the root.
+enum class Roots { one, each_corner };
+std::vector<SmallRegion> small_regions(int perimeter, bool with_stars, Roots roots = Roots::one);
 
 }  // namespace requad::tests
