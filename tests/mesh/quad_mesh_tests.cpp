@@ -2,7 +2,7 @@
 #include "mesh/topology/basic_operations.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
 
 using namespace requad::mesh;
 using requad::tests::cube;
