@@ -26,7 +26,8 @@ template <class Index>
 void add_columns(boost::dynamic_properties& properties, std::map<std::string, AttributedGraph::Column>& columns,
                  Index index) {
   for (auto& [name, column] : columns) {
-    std::visit([&](auto& values) { properties.property(name, make_iterator_property_map(values.begin(), index)); },
+    std::visit([&, &name = name](
+                   auto& values) { properties.property(name, make_iterator_property_map(values.begin(), index)); },
                column);
   }
 }

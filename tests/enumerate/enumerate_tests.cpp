@@ -8,7 +8,7 @@
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/enumerate/census.hpp"
 #include "theory/counts.hpp"
 
 using namespace requad;

@@ -12,7 +12,8 @@
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
+#include "tests/support/theory/integer_vector.hpp"
 #include "theory/configurations.hpp"
 
 using namespace requad;

@@ -8,7 +8,8 @@
 #include "mesh/topology/separatrix.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/enumerate/census.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "theory/separatrix_vector.hpp"
 
 using namespace requad;

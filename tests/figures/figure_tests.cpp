@@ -14,8 +14,8 @@
 #include "figures/pictures/grid_picture.hpp"
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
-#include "tests/support/support.hpp"
 #include "theory/configuration_graph.hpp"
 
 using namespace requad;

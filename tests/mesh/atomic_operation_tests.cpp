@@ -1,57 +1,30 @@
-// Atomic operations (section 5): every operation that is listed, at every vertex and along every edge of generated
-// neighbourhoods, against the paper's statement written out by hand, and against exhausting the basic operations.
+// Atomic operations (section 5): every operation that is listed, at every vertex and along every edge of small regions,
+// against the paper's statement, which is written out here by hand.
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
-#include "enumerate/generators.hpp"
-#include "mesh/files/write_obj.hpp"
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
+#include "tests/mesh/neighbourhoods.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/programs.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
+#include "tests/support/mesh/regions.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
+using requad::tests::neighbourhood;
+using requad::tests::pair_neighbourhood;
+using requad::tests::rel_boundary;
+using requad::tests::vertex_of;
 
 namespace {
 
-using Kind = BasicOperation::Kind;
 using StepKind = TransportStep::Kind;
 using Valences = std::multiset<int>;
-
-// One vertex of this valence in the middle of a region that is regular otherwise, four quads from every side.
-Region neighbourhood(int valence) {
-  return enumerate::glue_region({valence + 1, 3}, {{0, 0, theory::IntegerVector::Constant(valence, 4)}, 1});
-}
-// An adjacent 3-5 pair, likewise.
-Region pair_neighbourhood() {
-  return enumerate::glue_region(theory::kQuad, {{1, 0, theory::IntegerVector::Constant(4, 4)}, 1});
-}
-// The vertex of this valence; the middle of a regular grid.
-VertexId vertex_of(const QuadMesh& m, int valence) {
-  for (const VertexId v : irregular_vertices(m)) {
-    if (m.valence(v) == valence) return v;
-  }
-  for (const VertexId v : m.vertices()) {
-    bool inside = valence == 4 && !m.is_boundary(v);
-    for (const VertexId w : m.neighbours(v)) {
-      for (const VertexId x : m.neighbours(w)) inside = inside && !m.is_boundary(x);
-    }
-    if (inside) return v;
-  }
-  return {};
-}
-
-std::string rel_boundary(const QuadMesh& m, const Region& region) {
-  return signature(m, m.out(region.mesh.origin(region.root)));
-}
 
 // What section 5 and Figures 3 to 5 say of the vertices that an operation of a kind and way changes, with all of them
 // regular but for the ones that it is about. By hand from the law of section 4.
@@ -212,41 +185,6 @@ void check_everywhere(const Region& region, AtomicTally& tally) {
   }
 }
 
-// Every legal basic operation that changes no valence on the boundary, each once up to names.
-std::vector<BasicOperation> exhausted(const QuadMesh& m) {
-  std::vector<BasicOperation> all;
-  const auto add = [&](const BasicOperation& op) {
-    if (why_not(m, op) != Refusal::none) return;
-    const auto changed = changed_vertices(m, op);
-    if (std::none_of(changed.begin(), changed.end(), [&](VertexId x) { return x.valid() && m.is_boundary(x); }))
-      all.push_back(op);
-  };
-  for (const HalfEdgeId h : m.half_edges()) {
-    if (h < m.twin(h)) add({Kind::flip_ccw, h, {}, 0}), add({Kind::flip_cw, h, {}, 0});
-    if (h.index() % 4 < 2) add({Kind::collapse, h, {}, 0});
-  }
-  for (const VertexId v : m.vertices()) {
-    if (m.is_boundary(v)) continue;
-    std::vector<HalfEdgeId> out;
-    m.for_each_out(v, [&out](HalfEdgeId h) { out.push_back(h); });
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      for (std::size_t k = i + 1; k < out.size(); ++k) add({Kind::split, out[i], m.twin(out[k]), 0});
-    }
-  }
-  return all;
-}
-
-Valences sorted_valences(const QuadMesh& m) {
-  Valences valences;
-  for (const VertexId v : irregular_vertices(m)) valences.insert(m.valence(v));
-  return valences;
-}
-
-std::size_t count(const std::vector<AtomicChoice>& list, AtomicKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(list.begin(), list.end(), [=](const AtomicChoice& c) { return c.operation.name.kind == kind; }));
-}
-
 }  // namespace
 
 TEST_CASE("atomic names are read as they are written", "[atomic]") {
@@ -287,7 +225,7 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   AtomicTally tally;
   int regions = 0;
   for (int valence = 2; valence <= 9; ++valence, ++regions) check_everywhere(neighbourhood(valence), tally);
-  for (const tests::CensusEntry& entry : tests::census(16, true)) {
+  for (const tests::SmallRegion& entry : tests::small_regions(16, true)) {
     check_everywhere(entry.region, tally);
     ++regions;
   }
@@ -320,286 +258,4 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   CHECK(tally.refused[EditRefusal::touches_boundary] > 100);
   CHECK(tally.refused[EditRefusal::irregular_in_the_way] > 100);
   CHECK(tally.refused.count(EditRefusal::no_such_step) == 0);
-}
-
-TEST_CASE("section 5: a v3 moves in three directions, each by two collapses and two flips", "[atomic]") {
-  // And a v5 in five, each by two splits and two flips. The operations and what they make are those that exhausting all
-  // basic operations finds.
-  for (const int valence : {3, 5}) {
-    const Region region = neighbourhood(valence);
-    QuadMesh m = region.mesh;
-    const VertexId v = vertex_of(m, valence);
-    Editor editor(m);
-    const StepKind way = valence == 3 ? StepKind::collapse : StepKind::split;
-    std::map<VertexId, std::map<StepKind, int>> ways;
-    std::set<std::pair<VertexId, std::string>> listed;
-    for (const AtomicChoice& choice : atomic_operations(editor, v)) {
-      if (choice.operation.name.kind != (valence == 3 ? AtomicKind::move_v3 : AtomicKind::move_v5)) continue;
-      const VertexId n = m.target(choice.operation.along);
-      CHECK(choice.refusal == Refusal::none);
-      ++ways[n][choice.operation.name.step.kind];
-      perform(editor, choice.operation);
-      listed.insert({n, rel_boundary(m, region)});
-      editor.roll_back();
-    }
-    CHECK(ways.size() == static_cast<std::size_t>(valence));
-    for (const auto& [n, count] : ways) CHECK(count == std::map<StepKind, int>{{way, 2}, {StepKind::flip, 2}});
-    CHECK(listed.size() == static_cast<std::size_t>(4 * valence));
-
-    std::set<std::pair<VertexId, std::string>> found;
-    for (const BasicOperation& op : exhausted(m)) {
-      QuadMesh after = m;
-      apply(after, op);
-      const bool other = op.kind == (valence == 3 ? Kind::split : Kind::collapse);
-      if (other || sorted_valences(after) != Valences{3, 5, valence}) continue;
-      for (const VertexId n : m.neighbours(v)) {
-        std::vector<VertexId> rest = irregular_vertices(after);
-        std::erase(rest, n);
-        if (rest.size() == 2 && after.valence(n) == valence && after.adjacent(rest[0], rest[1]))
-          found.insert({n, rel_boundary(after, region)});
-      }
-    }
-    CHECK(listed == found);
-  }
-}
-
-TEST_CASE("section 5: an adjacent 3-5 pair moves in six directions", "[atomic]") {
-  const Region region = pair_neighbourhood();
-  QuadMesh m = region.mesh;
-  Editor editor(m);
-  const VertexId three = vertex_of(m, 3), five = vertex_of(m, 5);
-  for (const HalfEdgeId along : {m.find_half_edge(three, five), m.find_half_edge(five, three)}) {
-    std::map<StepKind, std::set<std::string>> listed;
-    for (const AtomicChoice& choice : atomic_operations(editor, along)) {
-      if (choice.operation.name.kind != AtomicKind::move_35) continue;
-      CHECK(choice.refusal == Refusal::none);
-      perform(editor, choice.operation);
-      listed[choice.operation.name.step.kind].insert(rel_boundary(m, region));
-      editor.roll_back();
-    }
-    std::map<StepKind, std::set<std::string>> found;
-    for (const BasicOperation& op : exhausted(m)) {
-      QuadMesh after = m;
-      apply(after, op);
-      const auto pair = irregular_vertices(after);
-      if (sorted_valences(after) != Valences{3, 5} || !after.adjacent(pair[0], pair[1])) continue;
-      const StepKind way = op.kind == Kind::collapse ? StepKind::collapse
-                           : op.kind == Kind::split  ? StepKind::split
-                                                     : StepKind::flip;
-      found[way].insert(rel_boundary(after, region));
-    }
-    CHECK(listed == found);
-    for (const auto& [way, results] : listed) CHECK(results.size() == 2);
-    CHECK(listed.size() == 3);
-  }
-  // At either vertex of the pair the same six are listed.
-  CHECK(count(atomic_operations(editor, three), AtomicKind::move_35) == 6);
-  CHECK(count(atomic_operations(editor, five), AtomicKind::move_35) == 6);
-}
-
-TEST_CASE("section 5: one flip makes 3-3-5-5, each flip listed once", "[atomic]") {
-  const Region region = neighbourhood(4);
-  QuadMesh m = region.mesh;
-  Editor editor(m);
-  const VertexId v = vertex_of(m, 4);
-  std::multiset<std::string> listed, found;
-  for (const AtomicChoice& choice : atomic_operations(editor, v)) {
-    if (choice.operation.name.kind != AtomicKind::generate_3355) continue;
-    REQUIRE(perform(editor, choice.operation).refusal == Refusal::none);
-    CHECK(sorted_valences(m) == Valences{3, 3, 5, 5});
-    listed.insert(rel_boundary(m, region));
-    editor.roll_back();
-  }
-  for (const BasicOperation& op : exhausted(m)) {
-    const auto changed = changed_vertices(m, op);
-    if (op.kind == Kind::collapse || op.kind == Kind::split) continue;
-    if (std::find(changed.begin(), changed.end(), v) == changed.end()) continue;
-    QuadMesh after = m;
-    apply(after, op);
-    found.insert(rel_boundary(after, region));
-  }
-  CHECK(listed.size() == 16);
-  CHECK(listed == found);
-}
-
-TEST_CASE("Figure 5: type changes of any valence", "[atomic]") {
-  for (int valence = 2; valence <= 9; ++valence) {
-    INFO(valence);
-    const Region region = neighbourhood(valence);
-    QuadMesh m = region.mesh;
-    Editor editor(m);
-    const VertexId v = vertex_of(m, valence);
-    const auto list = atomic_operations(editor, v);
-    // One raise for each face; one lower for each diagonal of the polygon of the edges.
-    CHECK(count(list, AtomicKind::raise) == static_cast<std::size_t>(valence));
-    CHECK(count(list, AtomicKind::lower) == static_cast<std::size_t>(std::max(valence * (valence - 3) / 2, 0)));
-    std::multiset<std::string> results;
-    for (const AtomicChoice& choice : list) {
-      const AtomicKind kind = choice.operation.name.kind;
-      if (kind != AtomicKind::raise && kind != AtomicKind::lower) continue;
-      REQUIRE(perform(editor, choice.operation).refusal == Refusal::none);
-      CHECK((kind == AtomicKind::raise ? m.valence(v) > valence : m.valence(v) < valence));
-      if (valence == 2) CHECK(sorted_valences(m) == Valences{3, 3});
-      if (valence == 6 && choice.operation.name.turn == 3) CHECK(sorted_valences(m) == Valences{5, 5});
-      results.insert(rel_boundary(m, region));
-      editor.roll_back();
-    }
-    // The two faces of a v2 become one in both ways.
-    const std::size_t different = std::set<std::string>(results.begin(), results.end()).size();
-    CHECK(different == (valence == 2 ? 1 : results.size()));
-    // All collapses at v and all splits of v that leave no v2 are there.
-    std::multiset<std::string> found;
-    for (const BasicOperation& op : exhausted(m)) {
-      const auto changed = changed_vertices(m, op);
-      QuadMesh after = m;
-      const Applied done = apply(after, op);
-      const bool raises = op.kind == Kind::collapse && (m.origin(op.h) == v || m.origin(QuadMesh::opposite(op.h)) == v);
-      const bool lowers = op.kind == Kind::split && changed[0] == v && after.valence(v) > 2 &&
-                          after.valence(after.origin(QuadMesh::opposite(done.made))) > 2;
-      if (raises || lowers) found.insert(rel_boundary(after, region));
-    }
-    CHECK(results == found);
-  }
-}
-
-TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
-  // Beside the boundary.
-  Region grid = tests::grid(3, 3);
-  Editor on_grid(grid.mesh);
-  const VertexId corner(0), inner(5);  // (0,0) and (1,1)
-  CHECK(atomic_operations(on_grid, corner).empty());
-  for (const AtomicChoice& choice : atomic_operations(on_grid, inner)) {
-    const HalfEdgeId along = choice.operation.along;
-    const bool at_boundary =
-        grid.mesh.is_boundary(grid.mesh.target(along)) || grid.mesh.is_boundary(grid.mesh.origin(along));
-    if (at_boundary) CHECK(choice.refusal == EditRefusal::touches_boundary);
-  }
-  const AtomicName flip = *parse_atomic_name("generate-3355 flip left");
-  CHECK(plan(on_grid, {flip, HalfEdgeId(1000)}).refusal == Refusal::dead_element);
-  CHECK(plan(on_grid, {flip, HalfEdgeId()}).refusal == Refusal::dead_element);
-  const HalfEdgeId middle = grid.mesh.find_half_edge(inner, VertexId(6));
-  REQUIRE(middle.valid());
-  CHECK(plan(on_grid, {flip, middle}).refusal == EditRefusal::touches_boundary);
-
-  // Not what the name is about.
-  Region region = neighbourhood(3);
-  QuadMesh& m = region.mesh;
-  const QuadMesh before = m;
-  Editor editor(m);
-  const VertexId v = vertex_of(m, 3);
-  const HalfEdgeId along = m.out(v);
-  CHECK(plan(editor, {*parse_atomic_name("move-v5 flip left"), along}).refusal == EditRefusal::wrong_valences);
-  CHECK(plan(editor, {*parse_atomic_name("generate-3355 flip left"), along}).refusal == EditRefusal::wrong_valences);
-  CHECK(plan(editor, {*parse_atomic_name("lower split left 3"), along}).refusal == EditRefusal::wrong_valences);
-  CHECK(plan(editor, {*parse_atomic_name("lower split left 2"), along}).refusal == Refusal::none);
-  CHECK(plan(editor, {{AtomicKind::move_v3, {StepKind::split, Hand::left}, 0}, along}).refusal ==
-        EditRefusal::no_such_step);
-  // With a v3 at the far corner of a face, a v3 cannot become a v5 there.
-  REQUIRE(perform(editor, {*parse_atomic_name("move-v3 flip left"), along}).refusal == Refusal::none);
-  const HalfEdgeId back = m.find_half_edge(before.target(along), v);
-  REQUIRE(back.valid());
-  bool in_the_way = false;
-  for (const AtomicChoice& choice : atomic_operations(editor, m.origin(back)))
-    in_the_way = in_the_way || choice.refusal == EditRefusal::irregular_in_the_way;
-  CHECK(in_the_way);
-  editor.roll_back();
-  CHECK(m == before);
-}
-
-TEST_CASE("atomic operations keep features, or say that they can not", "[atomic]") {
-  Region region = neighbourhood(3);
-  QuadMesh& m = region.mesh;
-  const VertexId v = vertex_of(m, 3);
-  const HalfEdgeId along = m.out(v);
-  const VertexId w = m.target(along);
-  const VertexId c = m.target(m.next(along));
-  const auto refusal_of = [&](const FeatureSet& features, const std::string& name) {
-    const Editor editor(m, &features);
-    return plan(editor, {*parse_atomic_name(name), along}).refusal;
-  };
-  // The flip on the left turns the edge w - c; on the right it does not.
-  FeatureSet opposite;
-  opposite.insert(w, c);
-  CHECK(refusal_of(opposite, "move-v3 flip left") == FeatureRefusal::breaks_feature);
-  CHECK(refusal_of(opposite, "move-v3 flip right") == Refusal::none);
-  // A collapse removes v, or c if v is on a feature, or neither if both are.
-  FeatureSet own;
-  own.insert(v, w);
-  CHECK(refusal_of(own, "move-v3 collapse left") == FeatureRefusal::breaks_feature);
-  FeatureSet both = own;
-  both.insert(w, c);
-  for (const FeatureSet& features : {own, both}) {
-    QuadMesh copy = m;
-    Editor editor(copy, &features);
-    int collapses = 0;
-    for (const AtomicChoice& choice : atomic_operations(editor, along)) {
-      if (to_string(choice.operation.name) != "move-v3 collapse left") continue;
-      ++collapses;
-      CHECK(choice.operation.swapped == (features.size() == 1));
-      REQUIRE(choice.refusal == (features.size() == 1 ? Refusal::none : FeatureRefusal::breaks_feature));
-      const AtomicReport report = perform(editor, choice.operation);
-      CHECK(copy.adjacent(v, w));
-      if (report.refusal != Refusal::none) continue;
-      CHECK_FALSE(copy.is_live(c));
-      CHECK(perform(editor, report.inverse).refusal == Refusal::none);
-      CHECK(copy == m);
-    }
-    CHECK(collapses == 1);
-  }
-}
-
-TEST_CASE("requad-edit atomic lists, makes and refuses", "[atomic][programs]") {
-  using nlohmann::json;
-  const Region region = neighbourhood(3);
-  tests::spill(tests::scratch() / "v3.obj", obj_text(region));
-  const VertexId v = vertex_of(region.mesh, 3);
-  const VertexId w = region.mesh.target(region.mesh.out(v));
-  const std::string at = "atomic v3.obj " + std::to_string(v.index() + 1);
-  const std::string outer = std::to_string(region.mesh.origin(region.root).index() + 1);
-  const std::string along = at + " " + std::to_string(w.index() + 1);
-
-  const tests::Outcome listed = tests::call("edit", at + " --json -");
-  REQUIRE(listed.code == 0);
-  const json operations = json::parse(listed.out)["operations"];
-  CHECK(operations.size() == 12 + 3);
-  std::set<std::string> names;
-  for (const json& operation : operations) {
-    names.insert(operation["operation"]);
-    CHECK(operation["from"] == v.index() + 1);
-    CHECK(operation["legal"] == true);
-    CHECK(parse_atomic_name(operation["inverse"].get<std::string>()));
-    CHECK(operation["valences"].size() == 4);
-  }
-  CHECK(names == std::set<std::string>{"move-v3 collapse left", "move-v3 collapse right", "move-v3 flip left",
-                                       "move-v3 flip right", "raise collapse left"});
-  CHECK(json::parse(tests::call("edit", along + " --json -").out)["operations"].size() == 4 + 2);
-  CHECK(tests::call("edit", at).out.find("v3 -> gone") != std::string::npos);
-
-  const tests::Outcome made = tests::call("edit", along + " --make 'move-v3 flip left' -o moved.obj --json -");
-  REQUIRE(made.code == 0);
-  const json report = json::parse(made.out);
-  CHECK(report["inverse"] == "remove-35-v3 flip right");
-  CHECK(report["before"]["interior_irregular"] == 1);
-  CHECK(report["after"]["interior_irregular"] == 3);
-  const std::string valences = tests::call("edit", "info moved.obj").out;
-  CHECK(valences.find("v3:2") != std::string::npos);
-  CHECK(valences.find("v5:1") != std::string::npos);
-
-  for (const auto& [arguments, code, why] : std::vector<std::tuple<std::string, int, std::string>>{
-           {along + " --make 'move-v5 flip left' -o no.obj", 1, "the valences that this needs"},
-           {"atomic v3.obj " + outer, 1, "a boundary vertex would change its valence"},
-           {at + " --make 'move-v3 flip left' -o no.obj", 2, "along several edges"},
-           {at + " --make 'move-35 flip left' -o no.obj", 2, "there is no 'move-35 flip left' here"},
-           {along + " --make 'dance' -o no.obj", 2, "no atomic operation"},
-           {along + " --make 'move-v3 flip left'", 2, "-o is missing"},
-           {at + " " + outer, 2, "no edge joins"},
-           {at + " 999999", 2, "there is no vertex 999999"},
-           {"atomic v3.obj", 2, "atomic: expected IN V [W]"}}) {
-    INFO(arguments);
-    const tests::Outcome outcome = tests::call("edit", arguments);
-    CHECK(outcome.code == code);
-    CHECK(outcome.err.find(why) != std::string::npos);
-    CHECK(tests::line_count(outcome.err) == 1);
-  }
-  CHECK_FALSE(std::filesystem::exists(tests::scratch() / "no.obj"));
 }

@@ -1,56 +1,16 @@
 // Drawings of regions: outlines, and no quad turned over or lying on another.
 #include <cmath>
-#include <mutex>
-#include <numbers>
 
-#include "enumerate/generators.hpp"
-#include "enumerate/search/search.hpp"
 #include "mesh/geometry/drawing.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/drawings.hpp"
+#include "tests/support/mesh/meshes.hpp"
+#include "tests/support/mesh/regions.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
 using Eigen::Vector2d;
-
-namespace {
-
-double area(const std::vector<Vector2d>& polygon) {
-  double doubled = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    doubled += p.x() * q.y() - p.y() * q.x();
-  }
-  return doubled / 2;
-}
-
-// By other means than drawing_problem(): areas of quads, none negative, add up to that of the boundary; an angle of
-// less than 180 degrees is the sign of a turn. The outline is where outline() puts it.
-void check_drawing(const Region& region, double least_sine) {
-  const QuadMesh& m = region.mesh;
-  const std::vector<Vector2d> at = draw(region);
-  double smallest = 0;
-  REQUIRE(drawing_problem(region, at, &smallest).empty());
-  REQUIRE(smallest > least_sine);
-  std::vector<Vector2d> boundary;
-  for (const HalfEdgeId h : boundary_loop(m, region.root)) boundary.push_back(at[m.origin(h).slot()]);
-  REQUIRE(boundary == outline(side_lengths(region), turn(m, m.origin(region.root)) > 0));
-  double sum = 0;
-  for (const FaceId f : m.faces()) {
-    std::vector<Vector2d> quad;
-    for (const VertexId v : m.corners(f)) quad.push_back(at[v.slot()]);
-    REQUIRE(area(quad) > 0.05);
-    sum += area(quad);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const VertexId v = m.corners(f)[k];
-      if (!m.is_boundary(v) && m.valence(v) == 2) continue;
-      REQUIRE(area({quad[k], quad[(k + 1) % 4], quad[(k + 3) % 4]}) > 0);
-    }
-  }
-  REQUIRE(sum == Approx(area(boundary)));
-}
-
-}  // namespace
+using requad::tests::area;
 
 TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
   // A regular hexagon of side L: corners at distance L from the centre, 60 degrees apart, the first side lowest.
@@ -96,45 +56,8 @@ TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
   CHECK(outline({12}, false)[3].norm() == Approx(outline({12}, false)[0].norm()));
 }
 
-TEST_CASE("drawings of all regular regions up to side 12 (geometry-7)", "[drawing]") {
-  int digons = 0, hexagons = 0;
-  for (int length = 2; length <= 12; ++length) {
-    for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
-      const auto sides = theory::IntegerVector::Constant(type.side_count(), length);
-      std::vector<theory::Configuration> configurations = theory::merged_configurations({type, sides});
-      const auto pairs = theory::parameter_set({type, sides});
-      configurations.insert(configurations.end(), pairs.begin(), pairs.end());
-      for (const theory::Configuration& c : configurations) {
-        check_drawing(enumerate::glue_region(type, c), 0.6);
-        ++(type == theory::kDigon ? digons : hexagons);
-      }
-    }
-  }
-  // Theorems 7.2 and 7.3: N (N - 1) or N^2, N = L / 2, and one merged vertex for each even side.
-  CHECK(digons == 0 + 1 + 2 + 4 + 6 + 9 + 12 + 16 + 20 + 25 + 30 + 6);
-  CHECK(hexagons == 3 * (0 + 1 + 2 + 4 + 6 + 9 + 12 + 16 + 20 + 25 + 30) + 6);
-}
-
-TEST_CASE("drawings of other regions", "[drawing]") {
-  for (const tests::CensusEntry& entry : tests::census(18, true)) check_drawing(entry.region, 0.3);
-  // A lone vertex in a triangle, a pentagon and an octagon; three irregular vertices; a drop; a circle.
-  const auto search_and_check = [](const enumerate::SearchProblem& problem, std::optional<int> faces, int at_least) {
-    enumerate::SearchLimits limits;
-    limits.threads = 1;
-    limits.faces = faces;
-    int count = 0;
-    enumerate::search(problem, limits, [&](const enumerate::Filling& filling) {
-      check_drawing(enumerate::region_of(filling), 0.05);
-      ++count;
-    });
-    CHECK(count >= at_least);
-  };
-  search_and_check(enumerate::search_problem({4, 4, 4}, {3}), {}, 1);
-  search_and_check(enumerate::search_problem({4, 4, 4, 4, 4}, {5}), {}, 1);
-  search_and_check(enumerate::search_problem({3, 3, 3, 3, 3, 3, 3, 3}, {8}), {}, 4);
-  search_and_check(enumerate::search_problem({4, 4, 4}, {3, 3, 5}), {}, 3);
-  search_and_check(enumerate::search_problem({6}, {3, 3, 3}), {}, 1);
-  search_and_check({{2, 2, 2, 2, 2, 2}, {3, 3, 3, 3}}, 14, 1);
+TEST_CASE("drawings of small regions", "[drawing]") {
+  for (const tests::SmallRegion& small : tests::small_regions(16, true)) tests::check_drawing(small.region, 0.3);
 }
 
 TEST_CASE("what is not a drawing is named (geometry-6)", "[drawing]") {

@@ -21,8 +21,8 @@
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
-#include "tests/support/support.hpp"
 
 using namespace requad;
 using namespace requad::mesh;

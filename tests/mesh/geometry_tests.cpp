@@ -12,8 +12,8 @@
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/geometry/smoothing.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
-#include "tests/support/support.hpp"
 
 using namespace requad;
 using namespace requad::mesh;

@@ -2,7 +2,7 @@
 #include "mesh/topology/basic_operations.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
 
 using namespace requad::mesh;
 using requad::tests::cube;
@@ -117,54 +117,54 @@ TEST_CASE("from_faces refuses what is no quad mesh", "[mesh]") {
 
 TEST_CASE("the validator names each kind of defect", "[mesh]") {
   CHECK(Arrays().check().empty());
-  using Kind = Defect::Kind;
+  using DefectKind = Defect::Kind;
   const auto h = [](int i) { return HalfEdgeId(i); };
 
   SECTION("sizes") {
     Arrays a;
     a.origin.pop_back();
     a.twin.pop_back();
-    CHECK(reports(a.check(), Kind::sizes));
+    CHECK(reports(a.check(), DefectKind::sizes));
   }
   SECTION("origin out of range") {
     Arrays a;
     a.origin[2] = VertexId(99);
-    CHECK(reports(a.check(), Kind::range));
+    CHECK(reports(a.check(), DefectKind::range));
   }
   SECTION("twin out of range") {
     Arrays a;
     a.twin[2] = h(1000);
-    CHECK(reports(a.check(), Kind::range));
+    CHECK(reports(a.check(), DefectKind::range));
   }
   SECTION("out of range") {
     Arrays a;
     a.out[0] = h(77);
-    CHECK(reports(a.check(), Kind::range));
+    CHECK(reports(a.check(), DefectKind::range));
   }
   SECTION("half deleted face") {
     Arrays a;
     a.origin[5] = VertexId();
-    CHECK(reports(a.check(), Kind::half_deleted));
+    CHECK(reports(a.check(), DefectKind::half_deleted));
   }
   SECTION("a half-edge out of a deleted vertex") {
     Arrays a;
     a.out[1] = h(-1);
-    CHECK(reports(a.check(), Kind::isolated));
+    CHECK(reports(a.check(), DefectKind::isolated));
   }
   SECTION("a vertex without a face") {
     Arrays a;
     a.out.push_back(h(0));
-    CHECK(reports(a.check(), Kind::isolated));
+    CHECK(reports(a.check(), DefectKind::isolated));
   }
   SECTION("twin with itself") {
     Arrays a;
     a.twin[0] = h(0);
-    CHECK(reports(a.check(), Kind::twin));
+    CHECK(reports(a.check(), DefectKind::twin));
   }
   SECTION("twin that does not answer") {
     Arrays a;
     a.twin[0] = h(5);
-    CHECK(reports(a.check(), Kind::twin));
+    CHECK(reports(a.check(), DefectKind::twin));
   }
   SECTION("twins that do not meet") {
     Arrays a;
@@ -175,12 +175,12 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
     }
     a.twin[static_cast<std::size_t>(free.front())] = h(free.back());
     a.twin[static_cast<std::size_t>(free.back())] = h(free.front());
-    CHECK(reports(a.check(), Kind::twin_ends));
+    CHECK(reports(a.check(), DefectKind::twin_ends));
   }
   SECTION("out of another vertex") {
     Arrays a;
     std::swap(a.out[0], a.out[5]);
-    CHECK(reports(a.check(), Kind::out));
+    CHECK(reports(a.check(), DefectKind::out));
   }
   SECTION("a boundary fan that starts inside") {
     Arrays a;
@@ -190,7 +190,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
         if (a.origin[slot] == VertexId(static_cast<int>(v)) && a.twin[slot].valid()) a.out[v] = h(i);
       }
     }
-    CHECK(reports(a.check(), Kind::out));
+    CHECK(reports(a.check(), DefectKind::out));
   }
   SECTION("two fans at one vertex") {
     // Two separate quads, corners 0 of both renamed to one vertex.
@@ -200,13 +200,13 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
     a.origin.clear();
     for (int i = 0; i < 8; ++i) a.origin.push_back(i == 4 ? VertexId(0) : m.origin(h(i)));
     a.out = {h(0), h(1), h(2), h(3), h(-1), h(5), h(6), h(7)};
-    CHECK(reports(a.check(), Kind::fan));
+    CHECK(reports(a.check(), DefectKind::fan));
   }
   SECTION("a vertex twice in a face") {
     Arrays a;
     const VertexId keep = a.origin[0];
     a.origin[2] = keep;
-    CHECK(reports(a.check(), Kind::repeated_vertex));
+    CHECK(reports(a.check(), DefectKind::repeated_vertex));
   }
   SECTION("two edges between the same vertices") {
     // Two quads that share two opposite corners' edges only by name: 0-1 in both, glued nowhere.
@@ -216,7 +216,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
     a.origin.clear();
     for (int i = 0; i < 8; ++i) a.origin.push_back(i == 4 ? VertexId(0) : i == 5 ? VertexId(1) : m.origin(h(i)));
     a.out = {h(0), h(1), h(2), h(3), h(-1), h(-1), h(6), h(7)};
-    CHECK(reports(a.check(), Kind::repeated_edge));
+    CHECK(reports(a.check(), DefectKind::repeated_edge));
   }
 }
 

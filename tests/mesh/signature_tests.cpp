@@ -6,14 +6,15 @@
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
+#include "tests/support/mesh/regions.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
 
 TEST_CASE("signatures do not depend on names (topology-11)", "[signature]") {
   std::mt19937 random(3);
-  for (const tests::CensusEntry& entry : tests::census(14, true)) {
+  for (const tests::SmallRegion& entry : tests::small_regions(14, true)) {
     const std::string expected = signature(entry.region);
     for (int round = 0; round < 3; ++round) {
       const tests::Relabelled other = tests::relabel(entry.region.mesh, random);
@@ -40,7 +41,7 @@ TEST_CASE("every vertex numbering of a small mesh gives one signature", "[signat
 
 TEST_CASE("signatures tell configurations apart and rebuild them (topology-12)", "[signature]") {
   std::set<std::string> seen;
-  for (const tests::CensusEntry& entry : tests::census(16, true)) {
+  for (const tests::SmallRegion& entry : tests::small_regions(16, true, tests::Roots::each_corner)) {
     const std::string text = signature(entry.region);
     INFO(text);
     // Different configurations of one region must differ; so must different regions.
@@ -111,7 +112,7 @@ TEST_CASE("the canonical signature is the least, whatever symmetries spare (topo
     meshes.push_back(std::move(m));
     meshes.push_back(std::move(even));
   }
-  for (const tests::CensusEntry& entry : tests::census(12, true)) meshes.push_back(entry.region.mesh);
+  for (const tests::SmallRegion& entry : tests::small_regions(12, true)) meshes.push_back(entry.region.mesh);
   for (const QuadMesh& m : meshes) {
     for (const Orientation orientation : {Orientation::kept, Orientation::mirrored}) {
       const std::string least = least_signature(m, orientation);
@@ -125,7 +126,7 @@ TEST_CASE("the canonical signature is the least, whatever symmetries spare (topo
 }
 
 TEST_CASE("mirrored signatures are those of the mirrored mesh", "[signature]") {
-  for (const tests::CensusEntry& entry : tests::census(12, true)) {
+  for (const tests::SmallRegion& entry : tests::small_regions(12, true)) {
     tests::FaceList faces = tests::face_list(entry.region.mesh);
     for (auto& face : faces) std::swap(face[1], face[3]);
     const QuadMesh mirrored = QuadMesh::from_faces(entry.region.mesh.vertex_capacity(), faces);

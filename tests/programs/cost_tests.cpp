@@ -6,7 +6,8 @@
 #include "mesh/topology/basic_operations.hpp"
 #include "tests/support/allocations.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/enumerate/census.hpp"
+#include "tests/support/mesh/meshes.hpp"
 
 using namespace requad;
 using namespace requad::mesh;

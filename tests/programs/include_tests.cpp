@@ -66,13 +66,21 @@ const Table kMayInclude{
 
     {"bench", kAll},
 
-    {"tests/support", kBelowVerify + kVerify},
-    {"tests/theory", kBelowVerify + kVerify + Rooms{"tests/support"}},
-    {"tests/mesh", kBelowVerify + Rooms{"tests/support"}},
-    {"tests/enumerate", kBelowVerify + Rooms{"tests/support"}},
-    {"tests/verify", kBelowVerify + kVerify + Rooms{"tests/support"}},
-    {"tests/figures", kAll + Rooms{"tests/support"}},
-    {"tests/programs", kAll + Rooms{"tests/support"}},
+    {"tests/support", {}},
+    {"tests/support/theory", kTheory},
+    {"tests/support/mesh", kMesh + Rooms{"tests/support"}},
+    {"tests/support/enumerate", kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh"}},
+    {"tests/theory", kTheory + Rooms{"tests/support", "tests/support/theory"}},
+    {"tests/mesh", kMesh + kPlumbing + Rooms{"mesh/pictures", "tests/support", "tests/support/mesh"}},
+    {"tests/enumerate",
+     kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/verify",
+     kBelowVerify + kVerify +
+         Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/figures",
+     kAll + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
+    {"tests/programs",
+     kAll + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
     {"tests/fuzz", kBelowVerify + kVerify + Rooms{"verify/check"}},
     {"tests/package", {}},
 };

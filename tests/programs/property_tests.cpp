@@ -19,8 +19,9 @@
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/enumerate/census.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/properties.hpp"
-#include "tests/support/support.hpp"
 #include "theory/joined.hpp"
 
 using namespace requad;

@@ -4,7 +4,7 @@
 #include <boost/graph/connected_components.hpp>
 
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/theory/integer_vector.hpp"
 #include "theory/configuration_graph.hpp"
 #include "theory/counts.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "mesh/program/errors.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
-#include "tests/support/support.hpp"
 #include "verify/report.hpp"
 
 using namespace requad;

@@ -2,7 +2,8 @@
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
+#include "tests/support/theory/integer_vector.hpp"
 #include "verify/errata.hpp"
 #include "verify/report.hpp"
 

@@ -7,7 +7,8 @@
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/support.hpp"
+#include "tests/support/enumerate/census.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "theory/configuration_graph.hpp"
 
 using namespace requad;

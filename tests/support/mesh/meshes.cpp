@@ -1,13 +1,10 @@
-#include "tests/support/support.hpp"
+#include "tests/support/mesh/meshes.hpp"
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
-#include "enumerate/generators.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/validate.hpp"
-#include "verify/case_list.hpp"
 
 namespace requad::tests {
 
@@ -16,44 +13,6 @@ using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::Region;
 using mesh::VertexId;
-
-theory::IntegerVector sides(std::initializer_list<theory::Integer> values) {
-  theory::IntegerVector v(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), v.begin());
-  return v;
-}
-
-std::vector<CensusEntry> census(int perimeter, bool with_merged) {
-  using verify::Family;
-  verify::Ranges ranges;
-  ranges.digon = {3, perimeter / 2};
-  ranges.hexagon = {3, perimeter / 6};
-  ranges.quad_perimeter = {4, perimeter};
-  ranges.other_perimeter = {4, perimeter};
-  std::vector<CensusEntry> entries;
-  const auto list = verify::list_cases(ranges, {Family::regular_digon, Family::regular_hexagon, Family::quad,
-                                                Family::other_digon, Family::other_hexagon});
-  for (const verify::RegionCase& c : list.cases) {
-    const theory::RegionShape& shape = std::get<verify::PairCase>(c).shape;
-    auto configurations = theory::parameter_set(shape);
-    if (with_merged) {
-      for (auto& merged : theory::merged_configurations(shape)) configurations.push_back(std::move(merged));
-    }
-    for (const auto& configuration : configurations) {
-      entries.push_back({shape, configuration, enumerate::glue_region(shape.type(), configuration)});
-    }
-  }
-  if (!with_merged) return entries;
-  // Regions with room for the merged vertex only: all sides 2.
-  for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
-    const auto smallest = theory::RegionShape::regular(type, 2);
-    if (smallest.perimeter() > perimeter) continue;
-    for (const auto& merged : theory::merged_configurations(smallest)) {
-      entries.push_back({smallest, merged, enumerate::glue_region(type, merged)});
-    }
-  }
-  return entries;
-}
 
 Relabelled relabel(const QuadMesh& m, std::mt19937& random) {
   std::vector<int> vertex(static_cast<std::size_t>(m.vertex_capacity()), -1);

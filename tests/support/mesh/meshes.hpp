@@ -1,4 +1,4 @@
-// What the tests share: the census of small regions, relabelling, surgery on face lists.
+// Meshes for tests, relabelled, operated on at random, and the basic operations as surgery on face lists. Knows mesh/ alone.
 #pragma once
 
 #include <array>
@@ -10,22 +10,8 @@
 #include "mesh/geometry/measures.hpp"
 #include "mesh/topology/basic_operations.hpp"
 #include "mesh/topology/region.hpp"
-#include "theory/configurations.hpp"
 
 namespace requad::tests {
-
-theory::IntegerVector sides(std::initializer_list<theory::Integer> values);
-
-// One region with a pair, as the census lists it.
-struct CensusEntry {
-  theory::RegionShape shape;
-  theory::Configuration configuration;
-  mesh::Region region;
-};
-// Every configuration of every convex digon, hexagon and 3-5 region of perimeter up to this, each region once up to
-// rotation, merged configurations included if asked for, those of the smallest regions (all sides 2) too. By
-// glue_region().
-std::vector<CensusEntry> census(int perimeter, bool with_merged);
 
 // The same mesh with faces, corners and vertices renamed at random; half_edge[old] is the new name.
 struct Relabelled {
@@ -38,8 +24,8 @@ mesh::BasicOperation renamed(const mesh::BasicOperation& operation, const Relabe
 // One that may be illegal, or name an element that was removed; all kinds are alike likely.
 mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& random);
 
-// Face lists over the vertex ids of a mesh without gaps, and the three operations on them as their definitions say,
-// with no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
+// Face lists over the vertex ids of a mesh without gaps, and the three operations on them as their definitions say, with
+// no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
 using FaceList = std::vector<std::array<int, 4>>;
 FaceList face_list(const mesh::QuadMesh& mesh);
 FaceList flipped(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h, mesh::Rotation rotation);
