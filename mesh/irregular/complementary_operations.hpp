@@ -38,10 +38,10 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
 // The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only
 // at vertices that may change, no further than it must, and not beyond fixed ones.
 template <class Wanted>
-std::vector<VertexId> nearest(const Editor& editor, BreadthFirstDistances& surroundings, VertexId from, int most,
+std::vector<VertexId> nearest(const Editor& editor, BreadthFirstDistances& distances, VertexId from, int most,
                               Wanted&& wanted) {
   std::vector<VertexId> found;
-  surroundings.measure(
+  distances.measure(
       editor.mesh(), std::array{from}, [&](VertexId v) { return editor.sectors().may_change(v); },
       [&](VertexId v) { return !editor.is_fixed(v); },
       [&](VertexId v, int) {
