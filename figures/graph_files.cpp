@@ -111,7 +111,7 @@ struct GraphCloser {
 // Throws std::logic_error if libcgraph cannot read it.
 std::string laid_out(const std::string& dot, const std::vector<std::pair<const char*, std::string>>& attributes) {
   const std::unique_ptr<Agraph_t, GraphCloser> graph(agmemread(dot.c_str()));
-  if (!graph) throw std::logic_error("Graphviz can not read a figure's graph");
+  if (!graph) throw std::logic_error("Graphviz cannot read a figure's graph");
   for (const auto& [name, value] : attributes) {
     // cgraph takes char* for strings that it only reads.
     agsafeset(graph.get(), const_cast<char*>(name), const_cast<char*>(value.c_str()), const_cast<char*>(""));

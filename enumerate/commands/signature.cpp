@@ -45,7 +45,7 @@ int mesh_of_signature(const Options& options) {
   const mesh::Region rebuilt = mesh::from_signature(options.text("from-signature"));
   if (options.has("output")) {
     if (const std::string problem = mesh::region_problem(rebuilt); !problem.empty())
-      throw UsageError("signature: it can not be drawn: " + problem);
+      throw UsageError("signature: it cannot be drawn: " + problem);
   }
   const QuadMesh& m = rebuilt.mesh;
   const std::string canonical =

@@ -169,7 +169,7 @@ program::Command atomic_command() {
       .usage = {"IN V [W]", "IN V [W] --make NAME -o OUT"},
       .summary = "lists the atomic operations at V or along the edge V W, or makes one (section 5)",
       .text = R"(Each operation is listed with its name, the valences before and after, and its
-inverse; or with the reason why it can not be made. Left and right are seen from
+inverse; or with the reason why it cannot be made. Left and right are seen from
 V to W, in a 3-5 pair from the v3 to the v5. These are the names:
 )" + names_text() +
               R"(K means that the path of the split goes on by the K-th edge of V, counted from W

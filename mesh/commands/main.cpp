@@ -10,10 +10,10 @@ int main(int argc, char** argv) {
           .name = "requad-edit",
           .version = REQUAD_VERSION,
           .summary = "looks at quad meshes in space and edits them",
-          .exit_codes = "0 done, 1 the edit can not be made, 2 bad arguments or input",
+          .exit_codes = "0 done, 1 the edit cannot be made, 2 bad arguments or input",
           .text = R"(IN is an OBJ or OFF file of quads; --subdivide accepts other polygons too.
 Vertices A, B, C, V, W are given by their numbers in IN, counted from 1. Edits
-keep features and the boundary to the last bit. An edit that can not be made
+keep features and the boundary to the last bit. An edit that cannot be made
 writes nothing, and a line says why.
 )",
           .commands =

@@ -49,7 +49,7 @@ program::Command moves_command() {
       .usage = {"IN A B"},
       .summary = "lists the moves that the pair A, B can make (section 6)",
       .text = R"(Each move has its name, its effect, the number of faces that the mesh gains, and
-the number of operations; or the reason why it can not be made. For a pair whose
+the number of operations; or the reason why it cannot be made. For a pair whose
 separatrices span a rectangle, the effect is the change of (d1,d2).
 )",
       .examples = {"requad-edit moves mesh/examples/figure-17.obj 153 163",

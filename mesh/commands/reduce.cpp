@@ -26,7 +26,7 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     return "nothing of opposite index is left within a patch of the surface: there the sum of 4 - l(v) is fixed "
            "(discrete Gauss-Bonnet)";
   if (report.after <= until) return "--until is reached";
-  std::string text = "what is left can not be cancelled here";
+  std::string text = "what is left cannot be cancelled here";
   for (const auto& [refusal, count] : report.refusals)
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)

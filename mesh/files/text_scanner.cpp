@@ -125,7 +125,7 @@ std::string TextScanner::quoted(std::string_view word) {
 }
 
 std::string read_text(const std::string& path) {
-  const auto fail = [&path](const std::string& why) { throw FileError(path + ": can not be read: " + why); };
+  const auto fail = [&path](const std::string& why) { throw FileError(path + ": cannot be read: " + why); };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
   std::ifstream in(path, std::ios::binary);

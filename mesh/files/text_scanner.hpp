@@ -57,7 +57,7 @@ class TextScanner {
 };
 
 // The content of a text file or pipe: at most 2 GiB without a zero byte. Throws FileError
-// "path: can not be read: reason". Of a pipe that has no end, or no text, no more is read than shows that.
+// "path: cannot be read: reason". Of a pipe that has no end, or no text, no more is read than shows that.
 std::string read_text(const std::string& path);
 
 }  // namespace requad::mesh

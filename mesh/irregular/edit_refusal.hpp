@@ -16,8 +16,8 @@ inline constexpr Refusal::Reason kNoRectangle{
 inline constexpr Refusal::Reason kOddDistance{
     16, "the pair is an odd number of edges apart, and parity never changes (Theorems 7.2, 7.3)"};
 inline constexpr Refusal::Reason kLonePair{
-    17, "a 3-5 pair can not be cancelled without a third irregular vertex (Theorem 7.4)"};
-inline constexpr Refusal::Reason kLoneVertex{18, "a single irregular vertex can not be moved (Theorem 7.1)"};
+    17, "a 3-5 pair cannot be cancelled without a third irregular vertex (Theorem 7.4)"};
+inline constexpr Refusal::Reason kLoneVertex{18, "a single irregular vertex cannot be moved (Theorem 7.1)"};
 inline constexpr Refusal::Reason kIndex{19, "the sum of 4 - l(v) is fixed by the surface (discrete Gauss-Bonnet)"};
 }  // namespace reasons
 

@@ -59,7 +59,7 @@ JournalFile::JournalFile(std::string path, const std::string& program, const std
                          const std::function<void(const Record&)>& take)
     : path_(std::move(path)) {
   file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) refuse(std::string("can not be opened: ") + std::strerror(errno));
+  if (file_ < 0) refuse(std::string("cannot be opened: ") + std::strerror(errno));
   try {
     struct stat status {};
     if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) refuse("is no regular file");
@@ -79,7 +79,7 @@ void JournalFile::read(const std::string& program, const std::string& run,
                        const std::function<void(const Record&)>& take) {
   std::ifstream in(path_, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(in), {});
-  if (!in.good() && !in.eof()) refuse("can not be read");
+  if (!in.good() && !in.eof()) refuse("cannot be read");
   const auto refuse_line = [this](std::size_t line, const std::string& why) {
     refuse("line " + std::to_string(line) + ": " + why);
   };
@@ -112,7 +112,7 @@ void JournalFile::read(const std::string& program, const std::string& run,
     at = end + 1;
   }
   if (at < text.size() && ftruncate(file_, static_cast<off_t>(at)) != 0)
-    refuse(std::string("can not be written: ") + std::strerror(errno));
+    refuse(std::string("cannot be written: ") + std::strerror(errno));
   if (at == 0) append(header);
 }
 
@@ -126,7 +126,7 @@ void JournalFile::append(const Record& record) {
     const ssize_t n = write(file_, line.data() + written, line.size() - written);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
-      broken_ = std::string("can not be written: ") + std::strerror(errno);
+      broken_ = std::string("cannot be written: ") + std::strerror(errno);
       // Removes the torn line. Should that fail too, nothing is lost: no line will follow it.
       [[maybe_unused]] const int ignored = ftruncate(file_, before);
       refuse(broken_);

@@ -172,7 +172,7 @@ void Options::require_outputs() const {
     if (!has(name)) continue;
     const std::string file = require_writable(text(name));
     if (!file.empty() && !used.insert(file).second)
-      throw UsageError("two outputs can not both go to " + (file == "-" ? "standard output" : text(name)));
+      throw UsageError("two outputs cannot both go to " + (file == "-" ? "standard output" : text(name)));
   }
 }
 

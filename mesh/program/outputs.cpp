@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void throw_unwritable(const std::string& path, const std::string& why) {
-  throw UsageError(path + ": can not be written: " + why);
+  throw UsageError(path + ": cannot be written: " + why);
 }
 
 // Where an output goes.

@@ -21,7 +21,7 @@ int run(std::string_view name, const std::function<int()>& body) {
     end_cleanly_on_signals();
     const int code = body();
     std::cout.flush();
-    if (!std::cout) throw UsageError("standard output can not be written");
+    if (!std::cout) throw UsageError("standard output cannot be written");
     return code;
   } catch (const UsageError& error) {
     report(error.what());

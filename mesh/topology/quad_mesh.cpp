@@ -233,7 +233,7 @@ std::vector<Id> ids_beside(const std::vector<Id>& free_ids, int count, const cha
   std::vector<bool> taken(static_cast<std::size_t>(count) + free_ids.size(), false);
   for (const Id id : free_ids) {
     if (!id.valid() || id.slot() >= taken.size() || taken[id.slot()])
-      throw MeshError(std::string(what) + " " + std::to_string(id.index()) + " can not be free");
+      throw MeshError(std::string(what) + " " + std::to_string(id.index()) + " cannot be free");
     taken[id.slot()] = true;
   }
   std::vector<Id> ids;

@@ -44,7 +44,7 @@ class Refusal {
 
 namespace reasons {
 inline constexpr Refusal::Reason kDeadElement{1, "no such element"};
-inline constexpr Refusal::Reason kBoundaryEdge{2, "a boundary edge can not be flipped"};
+inline constexpr Refusal::Reason kBoundaryEdge{2, "a boundary edge cannot be flipped"};
 inline constexpr Refusal::Reason kValenceTooLow{3, "a vertex would be left with too few edges"};
 inline constexpr Refusal::Reason kEdgeExists{4, "two edges would join the same vertices"};
 inline constexpr Refusal::Reason kBoundaryCorner{5, "the vertex to remove lies on the boundary"};

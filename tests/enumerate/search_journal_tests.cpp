@@ -141,7 +141,7 @@ TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][j
   }
 }
 
-TEST_CASE("a search's journal that says what can not be is refused", "[search][journal]") {
+TEST_CASE("a search's journal that says what cannot be is refused", "[search][journal]") {
   using Record = JournalFile::Record;
   const SearchProblem problem = search_problem({6, 6, 6}, {3, 3, 5});
   const SearchJournal journal = journal_at("false");

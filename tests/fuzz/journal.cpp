@@ -46,7 +46,7 @@ void fuzz::try_input(std::string_view text) {
     expected[i] = to_json(more).dump();
   }
   journal.reset();
-  require(accepts(open), "a journal can not be opened again");
+  require(accepts(open), "a journal cannot be opened again");
   require(journal->results().size() == expected.size(), "results are lost");
   for (const auto& [index, result] : journal->results())
     require(to_json(result).dump() == expected.at(index), "a result reads differently");

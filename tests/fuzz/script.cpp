@@ -84,9 +84,9 @@ void fuzz::try_input(std::string_view text) {
   // Laws editing-11 to editing-13 of what was done: there in memory, and back from what was written.
   Copy done(false), copy(false);
   const Script recorded = read_again(perform(script, done));
-  require(replay(copy.editor, recorded).refusal == Refusal::none, "a script can not be replayed");
+  require(replay(copy.editor, recorded).refusal == Refusal::none, "a script cannot be replayed");
   require(copy.is(done.mesh, done.positions), "a script does not give the mesh that it was recorded on");
-  require(replay(copy.editor, inverse(recorded)).refusal == Refusal::none, "a script can not be undone");
+  require(replay(copy.editor, inverse(recorded)).refusal == Refusal::none, "a script cannot be undone");
   require(copy.is(open_cube().mesh, open_cube().positions), "a script and its inverse do not give the mesh back");
   try_replay(recorded, true);
 }

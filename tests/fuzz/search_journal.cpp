@@ -25,7 +25,7 @@ void fuzz::try_input(std::string_view text) {
       require(found.outcome.complete() || found.outcome.face_limit_cut, "there was time for all");
       // Now that all is found, it says the same.
       require(accepts([&] { again = count_fillings(problem, limits, true, journal); }),
-              "a journal can not be gone on with");
+              "a journal cannot be gone on with");
       require(again.outcome.count == found.outcome.count && again.outcome.by_faces == found.outcome.by_faces &&
                   again.outcome.states == found.outcome.states && again.signatures == found.signatures &&
                   again.orbits.rotations == found.orbits.rotations &&
@@ -39,7 +39,7 @@ void fuzz::try_input(std::string_view text) {
   SphereOutcome found, again;
   if (!accepts([&] { found = search_spheres(octahedrite, 10, limits, journal); })) return;
   require(accepts([&] { again = search_spheres(octahedrite, 10, limits, journal); }),
-          "a journal can not be gone on with");
+          "a journal cannot be gone on with");
   require(again.signatures == found.signatures && again.states == found.states,
           "a journal does not say again what was found");
 }

@@ -48,7 +48,7 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
   CHECK(plan(editor, {*parse_atomic_name("lower split left 2"), along}).refusal == Refusal::none);
   CHECK(plan(editor, {{AtomicKind::move_v3, {TransportStep::Kind::split, Hand::left}, 0}, along}).refusal ==
         EditRefusal::no_such_step);
-  // With a v3 at the far corner of a face, a v3 can not become a v5 there.
+  // With a v3 at the far corner of a face, a v3 cannot become a v5 there.
   REQUIRE(perform(editor, {*parse_atomic_name("move-v3 flip left"), along}).refusal == Refusal::none);
   const HalfEdgeId back = m.find_half_edge(before.target(along), v);
   REQUIRE(back.valid());
@@ -60,7 +60,7 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
   CHECK(m == before);
 }
 
-TEST_CASE("atomic operations keep features, or say that they can not", "[atomic]") {
+TEST_CASE("atomic operations keep features, or say that they cannot", "[atomic]") {
   Region region = neighbourhood(3);
   QuadMesh& m = region.mesh;
   const VertexId v = vertex_of(m, 3);

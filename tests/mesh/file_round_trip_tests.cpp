@@ -75,7 +75,7 @@ TEST_CASE("subdividing: V' = V + E + F, F' = the corners, the vertices in front"
   CHECK(quads.dropped == 1);
 }
 
-TEST_CASE("files that can not be read, and names", "[files]") {
+TEST_CASE("files that cannot be read, and names", "[files]") {
   const auto refused = [](const std::string& path) {
     try {
       read_polygon_mesh(path);
@@ -84,9 +84,9 @@ TEST_CASE("files that can not be read, and names", "[files]") {
     }
     return std::string();
   };
-  CHECK(refused("/no/such/file.obj") == "/no/such/file.obj: can not be read: No such file or directory");
+  CHECK(refused("/no/such/file.obj") == "/no/such/file.obj: cannot be read: No such file or directory");
   std::filesystem::create_directory(scratch() / "folder.off");
-  CHECK(refused((scratch() / "folder.off").string()).ends_with("folder.off: can not be read: it is a folder"));
+  CHECK(refused((scratch() / "folder.off").string()).ends_with("folder.off: cannot be read: it is a folder"));
   CHECK(refused("mesh.stl") == "mesh.stl: expected a name that ends in .obj or .off");
   CHECK(refused("") == ": expected a name that ends in .obj or .off");
   spill(scratch() / "upper.OBJ", kFourVertices + "f 1 2 3 4\n");

@@ -75,7 +75,7 @@ namespace {
 bool is_to_be_had(const std::string& variant) {
   tests::spill(tests::scratch() / "script", variant + " true\n");
   if (tests::call("edit", "--version >/dev/null; bash script").code == 0) return true;
-  WARN("skipped: " << variant << " can not be had here");
+  WARN("skipped: " << variant << " cannot be had here");
   return false;
 }
 

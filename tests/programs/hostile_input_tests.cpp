@@ -132,7 +132,7 @@ TEST_CASE("arguments that are odd or long are refused in one line", "[hostile]")
   // A line's end in an argument, in a name, and in the name of an option.
   refused(shell(path_of("enumerate") + " search --irregular 3,3 --sides $'6,\\n6'"), before,
           {"'?6' is not an integer"});
-  refused(shell(path_of("edit") + " info $'no\\nfile.obj'"), before, {"no?file.obj: can not be read"});
+  refused(shell(path_of("edit") + " info $'no\\nfile.obj'"), before, {"no?file.obj: cannot be read"});
   refused(shell(path_of("edit") + " info $'--no\\noption'"), before, {"--no?option"});
   // A boundary of 200 million edges in 14 kB.
   std::string sides = "100000";
@@ -208,7 +208,7 @@ TEST_CASE("numbers near the largest integer are refused", "[hostile]") {
   }
 }
 
-TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
+TEST_CASE("output that cannot be written leaves what was there", "[hostile]") {
   spill(scratch() / "in.obj", grid_text(40));
   spill(scratch() / "old.obj", "the old text");
   const auto before = files();
@@ -223,8 +223,8 @@ TEST_CASE("output that can not be written leaves what was there", "[hostile]") {
   refused(shell(path_of("edit") + " info in.obj >/dev/full"), before, {"standard output"});
   CHECK(fs::is_character_file("/dev/full"));
   // Two outputs to one file, also by another name; a device takes both.
-  refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs can not both go to out.obj"});
-  refused(shell(edit + "out.obj --json ./out.obj"), before, {"two outputs can not both go to out.obj"});
+  refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs cannot both go to out.obj"});
+  refused(shell(edit + "out.obj --json ./out.obj"), before, {"two outputs cannot both go to out.obj"});
   refused(shell(edit + "''"), before, {"a file's name is expected"});
   CHECK(shell(edit + "/dev/null --json /dev/null").code == 0);
   CHECK(shell(edit + "nowhere/out.obj --help").code == 0);

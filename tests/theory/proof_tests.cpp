@@ -40,7 +40,7 @@ void check_fails(const Proof& proof) {
 
 }  // namespace
 
-TEST_CASE("rationals are exact, and say so where they can not be", "[proofs]") {
+TEST_CASE("rationals are exact, and say so where they cannot be", "[proofs]") {
   CHECK(Rational(1, 3) + Rational(1, 6) == Rational(1, 2));
   CHECK(Rational(2, -4) == Rational(-1, 2));
   CHECK(Rational(-1, 2) < Rational(-1, 3));

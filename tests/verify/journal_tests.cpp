@@ -144,7 +144,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
     CHECK(refusal(path, "run a") == "--journal: " + path + ": line 1: this is no journal of requad-verify");
     CHECK(slurp(path) == text);
   }
-  CHECK(refusal(scratch().string(), "run a").find("can not be opened") != std::string::npos);
+  CHECK(refusal(scratch().string(), "run a").find("cannot be opened") != std::string::npos);
   // What has no end, and what cannot be gone back in.
   CHECK(refusal("/dev/zero", "run a") == "--journal: /dev/zero: is no regular file");
   const std::string pipe = (scratch() / "pipe.journal").string();
@@ -204,7 +204,7 @@ TEST_CASE("a journal that the disk has no room for ends the run, and can be gone
   INFO(full.err);
   CHECK(full.code == 2);
   CHECK(line_count(full.err) == 1);
-  CHECK(full.err.find("--journal: full.journal: can not be written: File too large") != std::string::npos);
+  CHECK(full.err.find("--journal: full.journal: cannot be written: File too large") != std::string::npos);
   const std::string kept = slurp(scratch() / "full.journal");
   CHECK(line_count(kept) > 3);
   CHECK(kept.ends_with('\n'));

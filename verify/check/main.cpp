@@ -339,7 +339,7 @@ constexpr int kHolds = 0, kDoesNotHold = 1, kUndecided = 2;
 int check_folder(const std::string& folder) {
   std::ifstream manifest(folder + "/MANIFEST");
   if (!manifest) {
-    report(folder + "/MANIFEST can not be read");
+    report(folder + "/MANIFEST cannot be read");
     return kUndecided;
   }
   int checked = 0;
@@ -347,7 +347,7 @@ int check_folder(const std::string& folder) {
   for (std::string file; std::getline(manifest, file);) {
     std::ifstream in(folder + "/" + file);
     if (!in || file.find('/') != std::string::npos || !files.insert(file).second) {
-      report(folder + "/" + file + " can not be read, or is listed twice");
+      report(folder + "/" + file + " cannot be read, or is listed twice");
       return kUndecided;
     }
     Lines lines(in);
@@ -403,6 +403,6 @@ Examples:
   }
   std::cout.flush();
   if (std::cout) return code;
-  report("standard output can not be written");
+  report("standard output cannot be written");
   return kUndecided;
 }

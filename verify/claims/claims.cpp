@@ -254,7 +254,7 @@ const std::vector<Claim>& claims() {
        judge_dual},
       {"N1",
        "section 7",
-       "A 3-5 pair can not be cancelled inside a convex region.",
+       "A 3-5 pair cannot be cancelled inside a convex region.",
        "fillings of the boundary without irregular vertices, by search; pairs kept by all moves, sides of their meshes",
        {quad},
        {kMoves, kSearch},

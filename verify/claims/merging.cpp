@@ -81,7 +81,7 @@ Judgement judge_merging(const PairStudy& s) {
                             std::string(can_merge[i] ? "merges" : "does not merge") + " at distance " +
                                 std::to_string(distance)));
     }
-    if (is_regular(s)) required.that(can_align[i], at_node(s, i, "can not be aligned by slides"));
+    if (is_regular(s)) required.that(can_align[i], at_node(s, i, "cannot be aligned by slides"));
   }
   return j;
 }

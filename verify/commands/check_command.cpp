@@ -18,7 +18,7 @@ int check(const std::string& folder, const char* self) {
       ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
   program::restore_signals();
   execl(checker.c_str(), checker.c_str(), folder.c_str(), static_cast<char*>(nullptr));
-  throw program::UsageError("check: " + checker + " can not be started");
+  throw program::UsageError("check: " + checker + " cannot be started");
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ program::Command check_command(const Processes& processes, const char* self) {
       .usage = {"DIR"},
       .summary = "checks certificates again, by a program that shares no code with what made them",
       .text = R"(DIR is a folder that --certificate wrote. Exit code 0: all certificates hold, 1:
-one does not, 2: one can not be read.
+one does not, 2: one cannot be read.
 )",
       .examples = {"requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof"},
       .options = {},
