@@ -1,4 +1,4 @@
-// What edits cost through an editor, which checks them, keeps positions in step and can take them back: whether editing
+// What edits cost through an editor, which checks them, updates positions and can roll back: whether editing
 // stays interactive. First the same edit is made in the middle of meshes of ten thousand, a hundred thousand and a
 // million quads, then on one size of mesh over longer and longer paths. Last come reductions of whole meshes.
 

@@ -1,8 +1,8 @@
 // Exhaustive search: every way to fill a boundary with quads. It knows no theorem about pairs.
 //
 // Terms
-//   problem   a boundary and a budget: for each boundary vertex, counter-clockwise, the number of quads that it gets
-//             inside; and the multiset of interior valences other than 4.
+//   problem   a boundary and a budget. The boundary states for each of its vertices, counter-clockwise, how many quads
+//             the vertex gets inside. The budget is the multiset of interior valences other than 4.
 //   filling   a simple quadrangulated disk with this boundary whose interior irregular vertices have exactly these
 //             valences. Simple: no two edges join the same two vertices.
 //   hole      a part of the inside that has no quads yet. The search starts with one hole and fills it quad by quad.
@@ -13,14 +13,17 @@
 // limit was reached, the outcome is incomplete, and its count is a lower bound.
 //
 // Method. A rule, which depends on the partial mesh alone, chooses an edge of a hole. The quad on this edge has two
-// more corners. Each is a new vertex, whose valence is chosen from the remaining budget, or a vertex of the hole's
-// boundary. In the second case the hole is cut into two or three. A filling determines these choices one by one. So no
-// filling is found twice, and fillings need not be compared. A branch ends when a hole has an odd number of edges; when
-// discrete Gauss-Bonnet requires an index that no part of the remaining budget has; when an edge would be doubled; or
-// when the face limit cannot be kept (a hole of n edges takes at least n/2 - 1 quads).
+// more corners. Each is either a new vertex, whose valence is chosen from the remaining budget, or a vertex of the
+// hole's boundary. A corner on the boundary cuts the hole: two or three holes remain. A filling determines each of
+// these choices. So the search finds no filling twice and need not compare fillings. A branch ends in one of four
+// cases:
+//   - A hole has an odd number of edges.
+//   - Discrete Gauss-Bonnet requires an index that no part of the remaining budget has.
+//   - An edge would be doubled.
+//   - The face limit cannot be kept. A hole of n edges takes at least n/2 - 1 quads.
 //
-// Irregular vertices whose positive indices 4 - l sum to 4 or more can close a tube. The number of fillings may then be
-// infinite, and without a face limit the search does not end.
+// If the positive indices 4 - l of the budget sum to 4 or more, these vertices can cap a tube, and the tube can have
+// any length. The number of fillings may then be infinite, and a search without a face limit does not end.
 #pragma once
 
 #include <array>
@@ -46,31 +49,31 @@ SearchProblem search_problem(const std::vector<int>& sides, std::vector<int> irr
 std::string problem_with(const SearchProblem& problem);
 // The same for the irregular valences alone.
 std::string irregular_problem(const std::vector<int>& irregular);
-// Whether the number of fillings can be infinite, so that a search without a face limit may not end.
+// Whether the number of fillings can be infinite. If so, a search without a face limit may not end.
 bool may_be_infinite(const SearchProblem& problem);
 
-// The largest face limit. It bounds the memory of a search that follows a tube without end, at some 300 bytes for each
-// face and thread. Any other search ends long before.
+// The largest face limit. Only a search that lengthens a tube without end reaches it. Such a search then needs about
+// 300 bytes of memory for each face and thread.
 inline constexpr int kMostFaces = 100000;
 
-// Rules that end branches without a filling early. None changes what is found. With a rule off, branches may go on
-// without end unless there is a face limit.
+// Rules that end a branch early if it contains no filling. No rule changes what is found. If a rule is off, a branch
+// may have no end unless there is a face limit.
 struct SearchPruning {
-  bool gauss_bonnet = true;  // the index that a hole asks for is the sum of some part of the budget
+  bool gauss_bonnet = true;  // the index that a hole requires is the sum of some part of the budget
   bool parity = true;        // every hole has an even number of edges
   bool face_bound = true;    // the face limit leaves n/2 - 1 quads for each hole of n edges
 };
 
 struct SearchLimits {
-  std::optional<int> faces;  // fillings with more faces are not looked for; at most kMostFaces
+  std::optional<int> faces;  // the largest number of faces of a filling; at most kMostFaces
   std::optional<double> seconds;
   int threads = 0;                             // 0: as many as there are cores
-  std::function<void(std::int64_t)> progress;  // called with the number of states visited since; from any thread
+  std::function<void(std::int64_t)> progress;  // called with the number of states since the last call; from any thread
   SearchPruning pruning;
 };
 
 struct Filling {
-  int vertices = 0;  // the first of them are the boundary, counter-clockwise, in the order of the problem
+  int vertices = 0;  // the boundary vertices come first, in the order of the problem
   std::vector<std::array<int, 4>> faces;
 };
 // The filling as a region, rooted at the boundary edge from vertex 0 to vertex 1. O(F log F).
@@ -91,19 +94,20 @@ struct SearchOutcome {
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit);
 
-// A file that keeps what was found and what remains (mesh/program/journal_file.hpp has the format). A search that was
-// killed or ran out of time continues when it is called again with its journal, and ends with the same result. It
-// appends to the file each time another hundredth of its time has passed, and a kill loses no more than that.
+// A file that keeps what was found and what remains (mesh/program/journal_file.hpp has the format). If a search was
+// killed or ran out of time, another call with its journal continues it, and the final result is the same. A search
+// appends to its journal whenever its running time has grown by one hundredth. A kill loses only what came after the
+// last record.
 struct SearchJournal {
   std::string path;
-  // A line that tells runs apart. It must name everything that changes the search or its result. The number of threads
-  // and the seconds do not.
+  // A line that tells runs apart. It must name everything that changes the search or its result, so neither the number
+  // of threads nor the seconds.
   std::string run;
   double least_seconds = 0.1;  // between two appends
 };
 
-// The number of orbits of the fillings under the symmetries of the boundary. Each filling adds 1 / (length of its
-// orbit).
+// The number of orbits of the fillings under the symmetries of the boundary: the sum of 1 / (length of the orbit) over
+// all fillings.
 struct OrbitCount {
   std::int64_t rotations = 0;    // under the rotations that keep the boundary
   std::int64_t reflections = 0;  // under those and the reflections that keep it
@@ -113,7 +117,7 @@ struct CountedSearch {
   OrbitCount orbits;                    // of the fillings that were found; meaningful if all were
   std::vector<std::string> signatures;  // of all fillings, sorted; empty unless they were asked for
 };
-// Throws as search() does, and program::UsageError if it cannot continue from the journal.
+// Counts the fillings. Throws as search() does, and program::UsageError if it cannot continue from the journal.
 CountedSearch count_fillings(const SearchProblem& problem, const SearchLimits& limits, bool keep_signatures,
                              const std::optional<SearchJournal>& journal = {});
 

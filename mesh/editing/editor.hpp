@@ -1,7 +1,7 @@
 // An editing session on one mesh: a log that also guards features and moves vertices.
 //
-// An editor performs basic operations on a mesh, refuses those that would break a feature, and keeps the vertices'
-// positions (if it is given any) in step. All edits of real meshes, from the transport of an adjacent 3-5 pair to the
+// An editor performs basic operations on a mesh, refuses those that would break a feature, and updates the vertices'
+// positions (if it is given any). All edits of real meshes, from the transport of an adjacent 3-5 pair to the
 // reduction of a whole mesh, go through one.
 //
 // Law editing-2. roll_back(mark) also restores the positions of the live vertices, bit by bit.

@@ -1,7 +1,12 @@
-// A log of what is done to a mesh: each operation is checked, recorded, and can be taken back.
+// A log of the edits of a mesh: each operation is checked and recorded, and the log can be rolled back.
 //
-// Whatever changes a mesh by more than one operation works on a log. Pair moves need no more than that. An Editor
-// (editor.hpp) is a log that also guards features and keeps the vertices' positions in step.
+// Terms
+//   inverse     of an operation: the operation that restores the mesh (basic_operations.hpp).
+//   roll back   of a log: to apply the inverses of its last edits, last first.
+//   undo        what a user does to a script (script.hpp) or to a move (MoveReport::undo): to apply all its inverses.
+//
+// Code that changes a mesh by more than one operation works on a log. A pair move needs nothing else. An Editor
+// (editor.hpp) is a log that also guards features and updates the positions of vertices.
 //
 // Law editing-1. roll_back(mark) restores the mesh of that mark, with all ids and free ids.
 //
@@ -56,16 +61,16 @@ class OperationLog {
   // Performs the operation, or leaves everything as it was.
   virtual Applied run(const BasicOperation& operation);
 
-  // What was done since the start, or since forget().
+  // The edits since the start, or since the last forget().
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t mark() const { return edits_.size(); }
-  // Takes back all edits after the first `mark` ones.
+  // Rolls back all edits after the first `mark` ones.
   virtual void roll_back(std::size_t mark = 0);
-  // Drops the memory of all edits, which then cannot be taken back any more.
+  // Drops all edits from the log. They can then no longer be rolled back.
   void forget() { edits_.clear(); }
 
  protected:
-  // Takes the last edit back, its placements excepted.
+  // Rolls back the last edit, except for its placements.
   void take_back_last();
 
   QuadMesh& mesh_;

@@ -1,8 +1,8 @@
 // Reduces the number of inverted quads by smoothing round them.
 //
 // Guarded smoothing (smoothing.hpp) cannot undo a fold, because on the way some quad gets worse. So the vertices round
-// inverted quads are first smoothed without a guard, like a membrane, and then with one. If there are not fewer
-// inverted quads afterwards, that is taken back and tried with a wider neighbourhood.
+// inverted quads are first smoothed without a guard, like a membrane, and then with one. If this does not lower the
+// number of inverted quads, the smoothing is rolled back and tried again in a wider neighbourhood.
 //
 // Law editing-21. The number of inverted quads never grows, and no fixed vertex moves.
 #pragma once

@@ -246,7 +246,7 @@ Moved perform(DirectTransport& transport, const PairMove& move) {
   return result;
 }
 
-// Makes the move and finds its inverse. A move that is refused is taken back.
+// Makes the move and finds its inverse. A move that is refused is rolled back.
 Refusal move_and_find_inverse(OperationLog& log, const PairMove& move, PairMove& inverse_move) {
   const std::size_t start = log.mark();
   DirectTransport transport(log, move.frame);

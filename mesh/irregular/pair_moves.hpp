@@ -2,10 +2,9 @@
 //
 // How a move works. A move starts at one vertex p of the pair and ends at the other, q. Its first basic operation moves
 // p by one edge and leaves an adjacent 3-5 pair behind. Each further operation transports this adjacent pair by one
-// face or edge. The last one lets it collide with q, which moves by one edge. Seen along the adjacent pair, from its v3
-// to its v5, there are six ways on (Figure 3): on either hand a split, a collapse and a flip. The first operation is
-// the same operation with p in the role of the adjacent pair's v3 (or v5), the last is the same with q in the role of
-// the vertex that is to change.
+// face or edge. The last one lets it collide with q, which moves by one edge. An adjacent pair has six steps (Figure
+// 3): a split, a collapse and a flip on either hand, seen from its v3 to its v5. The first operation is such a step,
+// too: p stands for the adjacent pair's v3 or v5. In the last operation q stands for the vertex that the pair moves to.
 //
 // The four steps. Two slides transport the adjacent pair along R_alpha on one hand: forward by splits, sideways by
 // collapses, and diagonally by flips, each of which saves a split and a collapse. Two more, open and close, use only
@@ -25,8 +24,8 @@
 // pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
 //
 // Legality. A move is legal if all its operations are, and if it meets no boundary and no other irregular vertex.
-// Nothing predicts this: move_pair() tries, and takes everything back if an operation is refused. pair_moves() lists
-// candidates only.
+// Nothing predicts this: move_pair() tries, and rolls the log back if an operation is refused. pair_moves() lists only
+// candidates.
 //
 // Costs: max(d1, d2) + O(1) basic operations for a slide, d1 + d2 + O(1) for open and close, whatever the size of the
 // mesh. The frame in the report takes walks of d1 + d2 edges and no operation.
@@ -47,15 +46,17 @@ inline constexpr std::array<PairStep, 4> kPairSteps{PairStep::slide_first, PairS
 PairStep inverse(PairStep step);
 const char* name(PairStep step);  // "slide_first", ...
 
-// A step seen from a frame. For a 3-5 pair frame.v1 is the v5. A merged pair (d1 = d2 = 0, v1 = v2) of valence 6 opens
-// along first_leg and the edge opposite it; one of valence 2 closes (its only step, too) the face on first_leg's left.
+// A step seen from a frame. For a 3-5 pair frame.v1 is the v5. A merged pair has d1 = d2 = 0 and v1 = v2, and only one
+// step. If its valence is 6, it opens along first_leg and the edge opposite it. If its valence is 2, it closes the face
+// on the left of first_leg.
 struct PairMove {
   PairFrame frame;
   PairStep step = PairStep::slide_first;
 };
 
-// The moves the pair could make if the mesh had room, four of them; empty if v1, v2 are no 3-3, 5-5 or 3-5 pair that
-// spans a rectangle. A step of a segment that only its other frame has is listed with that frame. See find_frames().
+// The four moves that the pair could make if the mesh had room. Empty if v1 and v2 are no 3-3, 5-5 or 3-5 pair, or if
+// they span no rectangle. A segment has two frames (find_frames()). A step that only the other frame has is listed with
+// that frame.
 std::vector<PairMove> pair_moves(const QuadMesh& mesh, VertexId v1, VertexId v2);
 // The moves that part a merged pair: one for a v2, three for a v6, none for any other valence.
 std::vector<PairMove> parting_moves(const QuadMesh& mesh, VertexId merged);
@@ -63,23 +64,23 @@ std::vector<PairMove> parting_moves(const QuadMesh& mesh, VertexId merged);
 struct MoveReport {
   Refusal refusal = Refusal::none;
   std::vector<BasicOperation> operations;  // in the order in which they were applied
-  std::vector<BasicOperation> undo;        // applied in this order, they restore every array of the mesh
+  std::vector<BasicOperation> undo;        // the inverses, last first: they restore every array of the mesh
   PairMove inverse;                        // inverse.frame is the pair's frame after the move
 
   int faces_made() const;     // one for each split
   int faces_deleted() const;  // one for each collapse
 };
 
-// Makes the move, by checked basic operations only. If one is refused, all are taken back: the mesh is as before,
+// Makes the move, by checked basic operations only. If one is refused, the log is rolled back: the mesh is as before,
 // arrays and free lists included, and the report holds the reason and nothing else.
 MoveReport move_pair(OperationLog& log, const PairMove& move);
 MoveReport move_pair(QuadMesh& mesh, const PairMove& move);
-// The reason that move_pair() would give. Makes the move and takes it back, which leaves an equal mesh. O(d1 + d2).
+// The reason that move_pair() would give. Makes the move and rolls it back, which leaves an equal mesh. O(d1 + d2).
 Refusal why_not_move_pair(QuadMesh& mesh, const PairMove& move);
 
-// Makes one move after another on one mesh, for long walks. It performs the operations of move_pair(), each of them
-// checked, but writes no report and does not look where R_alpha lies afterwards. It allocates nothing once it has made
-// its longest move, if the mesh has room (QuadMesh::reserve).
+// Makes one move after another on one mesh, for long walks. It performs the checked operations of move_pair(), but
+// writes no report and does not look for R_alpha afterwards. After its longest move it allocates nothing more if the
+// mesh has room (QuadMesh::reserve).
 class PairMover {
  public:
   // The mesh must outlive it.

@@ -2,7 +2,7 @@
 //
 // Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its
 // neighbourhood is smoothed. A candidate is a pair of near vertices of opposite index, with the nearest irregular
-// vertices as helpers. The cost of a candidate is measured by making it, smoothing included, and taking it back. Costs
+// vertices as helpers. The cost of a candidate is measured by making it, smoothing included, and rolling it back. Costs
 // are kept in a priority queue. After each cancellation, only the candidates round the vertices that moved are made
 // anew. A candidate whose neighbourhood may have changed is measured again when its turn comes.
 //

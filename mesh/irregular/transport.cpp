@@ -92,7 +92,7 @@ int PairTransport::distance(VertexId v) const {
   return d >= 0 ? d : farthest_ + 1;
 }
 
-// Turns the mesh into that of a node: takes steps back to where the two paths part, then goes forward.
+// Turns the mesh into that of a node. Rolls back to the node where the two paths part, then makes the steps from there.
 void PairTransport::go_to(int node, std::size_t base) {
   std::vector<int> wanted;
   for (int n = node; n > 0; n = nodes_[static_cast<std::size_t>(n)].parent) wanted.push_back(n);

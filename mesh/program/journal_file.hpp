@@ -1,4 +1,4 @@
-// A journal: a file of records that only grows. A run that was killed can go on where it stopped.
+// A journal: a file of records that only grows. A run that was killed can continue where it stopped.
 //
 // Format: text, one line for each record. A line is the CRC-32 of its JSON in eight hexadecimal digits, a space, and
 // the JSON. The first line says which run the journal belongs to.

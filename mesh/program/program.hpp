@@ -2,7 +2,8 @@
 //
 // The command line of a program is PROGRAM COMMAND ARGUMENT..., with options anywhere. The first argument that is
 // neither an option nor the value of one names the command. To add a command, write a function that returns a Command,
-// in a source of its own, and enter it in the table of the program's main.cpp.
+// in a source of its own in the program's commands/ folder. Declare the function in commands.hpp, list the source in
+// CMakeLists.txt, and enter the function in the table of main.cpp; all three are in that folder.
 #pragma once
 
 #include <cstddef>

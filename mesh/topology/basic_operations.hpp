@@ -1,8 +1,9 @@
 // The three basic operations of section 4: edge flip, quad collapse, edge split.
 //
-// Each operation has three entries: a const query, which decides whether it is legal and why not; a checked call, which
-// leaves the mesh untouched if the query refuses; and an unchecked call, which requires that the query says
-// Refusal::none.
+// Each operation has three functions. For the edge flip they are:
+//   why_not_flip     a query: whether the flip is legal, and why not.
+//   flip             makes the flip if it is legal; otherwise it leaves the mesh untouched and returns the refusal.
+//   flip_unchecked   makes the flip without the query. Precondition: why_not_flip() returns Refusal::none.
 //
 // Laws, for every legal operation
 //   topology-5  The result satisfies the invariants of QuadMesh. The Euler characteristic and the orientation stay.
@@ -45,7 +46,7 @@ struct BasicOperation {
 // "flip_ccw 12", "flip_cw 12", "collapse 12", "split 12 34 0".
 std::string to_string(const BasicOperation& operation);
 
-// What came of an operation.
+// The outcome of an operation.
 struct Applied {
   Refusal refusal = Refusal::none;
   BasicOperation inverse;  // meaningful if refusal is none
@@ -53,13 +54,14 @@ struct Applied {
 };
 
 Refusal why_not(const QuadMesh& mesh, const BasicOperation& operation);
-// The vertices whose valence the operation changes (a split's v, a, b; none in unused places). Precondition: legal.
+// The vertices whose valence the operation changes, of a split v, a and b. Unused places hold none. Precondition: the
+// operation is legal.
 std::array<VertexId, 4> changed_vertices(const QuadMesh& mesh, const BasicOperation& operation);
 Applied apply(QuadMesh& mesh, const BasicOperation& operation);
 // Precondition: why_not() says Refusal::none.
 Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
-// Takes the last operation back by its inverse. This is checked: the inverse is legal by the law above, and what breaks
-// that law must not break a mesh. Throws std::logic_error if the inverse is refused.
+// Undoes the last operation by its inverse, which is legal by Law topology-8. Checks this nevertheless, so that a fault
+// of this library cannot break a mesh. Throws std::logic_error if the inverse is refused.
 void take_back(QuadMesh& mesh, const BasicOperation& inverse);
 // Applies the operations in order, all or none. Returns the refusal of the first that was refused.
 Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations);

@@ -252,8 +252,7 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   }
   for (const auto& [what, n] : tally.performed) performed += n;
   for (const auto& [why, n] : tally.refused) refused += n;
-  WARN(regions << " regions: " << performed << " atomic operations performed and taken back, " << refused
-               << " refused");
+  WARN(regions << " regions: " << performed << " atomic operations performed and undone, " << refused << " refused");
   CHECK(tally.performed.size() == kStated.size() + 2);
   CHECK(tally.refused[EditRefusal::touches_boundary] > 100);
   CHECK(tally.refused[EditRefusal::irregular_in_the_way] > 100);

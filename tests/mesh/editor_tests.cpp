@@ -68,7 +68,7 @@ TEST_CASE("Laws editing-1 to editing-4: random edits keep features and fixed pos
   }
 }
 
-TEST_CASE("Law editing-2: a move from 0 to -0 is a move, and is taken back", "[editor]") {
+TEST_CASE("Law editing-2: a move from 0 to -0 is a move, and is rolled back", "[editor]") {
   QuadMesh m = tests::torus(3, 3);
   Positions positions(9, Eigen::Vector3d::Zero());
   Editor editor(m, nullptr, &positions);

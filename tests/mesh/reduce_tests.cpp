@@ -33,9 +33,8 @@ ReduceOptions without_smoothing() {
 
 }  // namespace
 
-TEST_CASE(
-    "Laws irregular-31 to irregular-33: real meshes reach what discrete Gauss-Bonnet leaves, and can be taken back",
-    "[reduce][real]") {
+TEST_CASE("Laws irregular-31 to irregular-33: real meshes reach what discrete Gauss-Bonnet leaves, and roll back",
+          "[reduce][real]") {
   struct Expected {
     const char* name;
     std::map<int, int> left;  // sum of 4 - l(v) = 4 chi; genus 0: eight v3s, genus 1: none, genus 5: 32 v5s.

@@ -104,7 +104,7 @@ Judgement judge_detour(const PairStudy& s) {
         if (!kept) j.violation = at_move(s, move, "a pair transported round the feature removed it");
         if (known.count(result) == 0)
           j.violation = at_move(s, move, "the transport round a feature made a configuration that no move reaches");
-        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "the transport was not taken back");
+        if (!(m == node.region.mesh)) j.violation = at_move(s, move, "the transport was not rolled back");
         if (j.violation) return j;
       }
     }
@@ -163,7 +163,7 @@ Judgement judge_three_vertices(const TripleStudy& s) {
             return wrong(region, "the operation makes a filling that the search does not know");
         }
         editor.roll_back();
-        if (!(m == region.mesh)) return wrong(region, "the operation was not taken back");
+        if (!(m == region.mesh)) return wrong(region, "the operation was not rolled back");
       }
     }
     cancelled += cancels ? 1 : 0;

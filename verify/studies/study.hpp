@@ -1,7 +1,8 @@
 // A study: all facts about one region, collected before any claim is judged.
 //
-// The facts come from two independent sources. theory/ predicts from the side lengths. enumerate/ moves pairs on meshes
-// and reads labels off them. The claims (claims/claims.hpp) only compare.
+// The facts come from three independent sources. theory/ predicts them from the side lengths. Moves on meshes find them
+// (enumerate/exploration.hpp), with labels that are read off the meshes. A search fills the boundary with quads and
+// uses neither theory nor moves (enumerate/search/). The claims (claims/claims.hpp) only compare these facts.
 #pragma once
 
 #include <optional>
@@ -18,12 +19,15 @@
 
 namespace requad::verify {
 
-// How configurations are found: by pair moves from one of them, by a search for fillings of the boundary that uses no
-// theorem, or by a walk on one mesh (enumerate/walk.hpp), which reaches much larger regions.
+// How configurations are found:
+//   moves    pair moves lead from one configuration to all others.
+//   search   a search lists the fillings of the boundary. It uses no theorem and no move.
+//   walk     pair moves change one mesh, which visits every configuration (enumerate/walk.hpp). Of the three methods,
+//            this one reaches the largest regions.
 enum class Method { moves, search, walk };
 const char* name(Method method);
 
-// The fillings of a boundary that a search found: their signatures, sorted.
+// The signatures of the fillings that a search found, sorted.
 using Signatures = std::vector<std::string>;
 
 struct PairStudy {
@@ -31,13 +35,14 @@ struct PairStudy {
   // Predicted.
   theory::Integer exact_count = 0;
   theory::ConfigurationMap map;  // with apex; empty if neither moves nor a search are asked for
-  // Found by moves from one start, the glued first predicted configuration. Empty if moves are not asked for.
+  // Found by moves. They start from the first predicted configuration, which is glued from its parameters. Empty if
+  // moves are not asked for.
   enumerate::Exploration found;
-  std::vector<int> predicted_of;  // for each found node: its index in map.nodes, -1 if its label is not predicted
+  std::vector<int> predicted_of;  // the index in map.nodes of each found node; -1 if its label is not predicted
   // Found by a search, if that is asked for.
   std::optional<Signatures> searched;         // fillings with the pair
   std::optional<Signatures> searched_merged;  // fillings with the merged vertex alone; equal valences only
-  // The walk over all configurations, if that is asked for.
+  // The result of the walk, if that is asked for.
   std::optional<enumerate::WalkResult> walked;
 
   int pairs_predicted() const;  // configurations of the parameter set, which hold the pair
@@ -54,27 +59,28 @@ struct VertexStudy {
 
 struct TripleStudy {
   TripleCase region;
-  std::vector<mesh::Region> fillings;  // all, by search; empty if that is not asked for
-  Signatures with_one;                 // fillings with one vertex instead, a v3 cancelled with a v5
-  Signatures with_two;                 // fillings with two vertices instead, two equal ones merged
+  // Found by a search. All are empty if that is not asked for.
+  std::vector<mesh::Region> fillings;  // with the three vertices
+  Signatures with_one;                 // with the one vertex that remains when a v3 and a v5 cancel
+  Signatures with_two;                 // with the two vertices that remain when two equal ones merge
 };
 
 using Study = std::variant<PairStudy, VertexStudy, TripleStudy>;
 Family family_of(const Study& study);
 
-// Studies a region by these methods. A walk reports the configurations that it visits to `progress`. Throws
-// std::logic_error if the program contradicts itself. Moves take O(nodes * moves * mesh) time. A walk takes O(L^3) time
-// and O(L^2) memory.
+// Studies a region by these methods. A walk calls `progress` with the number of configurations that it has visited.
+// Throws std::logic_error if the program contradicts itself. Moves take O(nodes * moves * mesh) time. A walk takes
+// O(L^3) time and O(L^2) memory.
 Study study(const RegionCase& region, const std::set<Method>& methods, const enumerate::WalkProgress& progress = {});
 // The same for a pair.
 PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& methods,
                      const enumerate::WalkProgress& progress = {});
-// The study, by moves alone, of an exploration that was made before.
+// The study of a pair that explore() has explored before. Its only method is moves.
 PairStudy study_moves(enumerate::Exploration found);
 
-// The moves that were found, as a map like the predicted one: each node has the same labellings and steps in the same
-// order round it, but the targets are where the moves led. Throws std::logic_error on a move that is none of the
-// theorem's steps; the message says which.
+// The found moves as a configuration map. Its nodes have the labellings and steps of the predicted map, in the same
+// order. Its targets are the configurations that the moves led to. Throws std::logic_error if a move is none of the
+// theorem's steps; the message names that move.
 theory::ConfigurationMap found_map(const PairStudy& study);
 
 }  // namespace requad::verify
