@@ -4,6 +4,23 @@
 
 namespace requad::mesh {
 
+VertexId Edit::removed_vertex() const {
+  if (!removed_face().valid()) return {};
+  return changed[static_cast<std::size_t>(QuadMesh::opposite(operation.h).index() & 3)];
+}
+
+FaceId Edit::removed_face() const {
+  if (!operates || operation.kind != BasicOperation::Kind::collapse) return {};
+  return QuadMesh::face(operation.h);
+}
+
+VertexId Edit::made_vertex() const { return made_face().valid() ? changed[3] : VertexId(); }
+
+FaceId Edit::made_face() const {
+  if (!operates || operation.kind != BasicOperation::Kind::split) return {};
+  return QuadMesh::face(inverse.h);
+}
+
 Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions, const SectorPlan* plan)
     : OperationLog(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
   grow_positions();
@@ -32,6 +49,7 @@ Applied Editor::perform(const BasicOperation& operation) {
   edit.changed = changed_vertices(mesh_, operation);
   done = apply_unchecked(mesh_, operation);
   edit.inverse = done.inverse;
+  operations_.push_back({operation, done.inverse});
   if (operation.kind == BasicOperation::Kind::split) edit.changed[3] = mesh_.origin(QuadMesh::opposite(done.made));
   return done;
 }
@@ -105,8 +123,14 @@ void Editor::roll_back(std::size_t mark) {
     const std::vector<Placement>& placements = edits_.back().placements;
     // NOLINTNEXTLINE(modernize-loop-convert): clang 14 refuses the reversed views of GCC 12's library
     for (auto p = placements.rbegin(); p != placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
-    take_back_last();
+    if (edits_.back().operates) roll_back_last();
+    edits_.pop_back();
   }
+}
+
+void Editor::forget() {
+  OperationLog::forget();
+  edits_.clear();
 }
 
 }  // namespace requad::mesh

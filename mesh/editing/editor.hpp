@@ -27,6 +27,28 @@
 
 namespace requad::mesh {
 
+// A vertex that got another position.
+struct Placement {
+  VertexId vertex;
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+};
+
+// What an editor did at once: a basic operation with the placements that belong to it, or placements alone.
+struct Edit {
+  bool operates = false;
+  BasicOperation operation;         // if it operates
+  BasicOperation inverse;           // if it operates
+  std::array<VertexId, 4> changed;  // if it operates: the vertices whose valence changed, a split's new one among them
+  std::vector<Placement> placements;
+
+  // The vertex and the face that a collapse removed or that a split made; none if the edit did not.
+  VertexId removed_vertex() const;
+  FaceId removed_face() const;
+  VertexId made_vertex() const;
+  FaceId made_face() const;
+};
+
 class Editor : public OperationLog {
  public:
   // The mesh must outlive the editor, and so must features, positions and plan (optional: null). `positions` has an
@@ -63,7 +85,11 @@ class Editor : public OperationLog {
   // Smooths some vertices, as one edit. Fixed ones stay: `how.fixed` is overridden. Precondition: there are positions.
   void smooth(std::span<const VertexId> vertices, SmoothingOptions how);
 
+  // What was done since the start, or since forget(), without what was rolled back. Marks count these edits.
+  const std::vector<Edit>& edits() const { return edits_; }
+  std::size_t mark() const override { return edits_.size(); }
   void roll_back(std::size_t mark = 0) override;
+  void forget() override;
 
  private:
   Applied perform(const BasicOperation& operation);
@@ -74,6 +100,7 @@ class Editor : public OperationLog {
   const FeatureSet* features_;
   Positions* positions_;
   Sectors sectors_;
+  std::vector<Edit> edits_;
 };
 
 }  // namespace requad::mesh

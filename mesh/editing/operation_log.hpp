@@ -13,37 +13,17 @@
 // Costs: those of the basic operations. Memory grows by the edits until forget(), which keeps it for the next ones.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "mesh/topology/basic_operations.hpp"
 
 namespace requad::mesh {
 
-// A vertex that got another position.
-struct Placement {
-  VertexId vertex;
-  Eigen::Vector3d from;
-  Eigen::Vector3d to;
-};
-
-// One entry of a log: a basic operation with the placements that belong to it, or placements alone.
-struct Edit {
-  bool operates = false;
-  BasicOperation operation;  // if operates
-  BasicOperation inverse;    // if operates
-  // If an Editor performed the operation: the vertices whose valence changed, a split's new one among them.
-  std::array<VertexId, 4> changed;
-  std::vector<Placement> placements;
-
-  // The vertex (by an Editor only) and the face that a collapse removed or that a split made; none if the edit did not.
-  VertexId removed_vertex() const;
-  FaceId removed_face() const;
-  VertexId made_vertex() const;
-  FaceId made_face() const;
+// An operation that was performed, with its inverse.
+struct PerformedOperation {
+  BasicOperation operation;
+  BasicOperation inverse;
 };
 
 class OperationLog {
@@ -61,20 +41,21 @@ class OperationLog {
   // Performs the operation, or leaves everything as it was.
   virtual Applied run(const BasicOperation& operation);
 
-  // The edits since the start, or since the last forget().
-  const std::vector<Edit>& edits() const { return edits_; }
-  std::size_t mark() const { return edits_.size(); }
-  // Rolls back all edits after the first `mark` ones.
+  // The operations since the start, or since forget(), without those that were rolled back.
+  const std::vector<PerformedOperation>& operations() const { return operations_; }
+  // How much was done since the start, or since forget(): a place in the log to which it can be rolled back.
+  virtual std::size_t mark() const { return operations_.size(); }
+  // Rolls back, last first, whatever was done after the log had this mark.
   virtual void roll_back(std::size_t mark = 0);
-  // Drops all edits from the log. They can then no longer be rolled back.
-  void forget() { edits_.clear(); }
+  // Empties the log. What was done before can then no longer be rolled back.
+  virtual void forget() { operations_.clear(); }
 
  protected:
-  // Rolls back the last edit, except for its placements.
-  void take_back_last();
+  // Rolls back the last operation.
+  void roll_back_last();
 
   QuadMesh& mesh_;
-  std::vector<Edit> edits_;
+  std::vector<PerformedOperation> operations_;
 };
 
 }  // namespace requad::mesh

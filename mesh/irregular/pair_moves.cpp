@@ -278,11 +278,11 @@ int MoveReport::faces_deleted() const { return count(operations, BasicOperation:
 
 MoveReport move_pair(OperationLog& log, const PairMove& move) {
   MoveReport report;
-  const std::size_t start = log.mark();
+  const std::size_t start = log.operations().size();
   report.refusal = move_and_find_inverse(log, move, report.inverse);
-  for (const Edit& edit : std::span(log.edits()).subspan(start)) {
-    report.operations.push_back(edit.operation);
-    report.undo.push_back(edit.inverse);
+  for (const PerformedOperation& done : std::span(log.operations()).subspan(start)) {
+    report.operations.push_back(done.operation);
+    report.undo.push_back(done.inverse);
   }
   std::reverse(report.undo.begin(), report.undo.end());
   return report;
@@ -309,7 +309,7 @@ PairMover::Moved PairMover::move(const PairMove& move) {
     log_.roll_back();
     return {transport.refusal(), VertexId(), VertexId(), 0};
   }
-  return {Refusal::none, result.ends.p, result.ends.q, static_cast<int>(log_.mark())};
+  return {Refusal::none, result.ends.p, result.ends.q, static_cast<int>(log_.operations().size())};
 }
 
 }  // namespace requad::mesh
