@@ -39,7 +39,7 @@ struct Cgal {
   void set_face(Site h, Face f) { mesh.set_face(h, f); }
   void set_target(Site h, Vertex v) { mesh.set_target(h, v); }
   void set_first(Face f, Site h) { mesh.set_halfedge(f, h); }
-  // CGAL keeps a half-edge into the vertex, the opposite of one out of it.
+  // For each vertex CGAL keeps a half-edge into it, where our interface has one out of it.
   void replace_out(Vertex v, Site out, Site other) {
     if (mesh.halfedge(v) == opposite(out)) mesh.set_halfedge(v, opposite(other));
   }
@@ -50,8 +50,8 @@ struct Cgal {
 struct CgalEuler : PeerSubject<Cgal> {
   static constexpr const char* kName = "cgal_euler";
   using PeerSubject::PeerSubject;
-  // Half-edges into the vertex that parts: the last that the old vertex keeps and the last that the new one takes,
-  // clockwise.
+  // Two half-edges into the vertex that a split parts. Clockwise, they are the last one that the old vertex keeps and
+  // the last one that the new vertex takes.
   struct Undo {
     Site kept, taken;
   };
@@ -73,7 +73,7 @@ struct CgalEuler : PeerSubject<Cgal> {
     CGAL::Euler::collapse_edge(mesh.edge(a_c), mesh);
     return {previous(out_of_c), into_c};
   }
-  // An edge opens between the two parts. A triangle is cut off on either side of it, and the two are joined.
+  // An edge opens between the two parts. A triangle is cut off on either side of it, and the triangles are joined.
   Site split(const Undo& undo) {
     const Site c_a = CGAL::Euler::split_vertex(undo.kept, undo.taken, mesh), a_b = next(c_a);
     CGAL::Euler::split_face(previous(undo.kept), opposite(c_a), mesh);

@@ -1,6 +1,6 @@
-// What edits cost through an editor, which checks them, updates positions and can roll back: whether editing
-// stays interactive. First the same edit is made in the middle of meshes of ten thousand, a hundred thousand and a
-// million quads, then on one size of mesh over longer and longer paths. Last come reductions of whole meshes.
+// The cost of edits through an editor, which checks them, updates positions and can roll back. Does editing stay
+// interactive? First the same edit is made in the middle of meshes of ten thousand, a hundred thousand and a million
+// quads. Then the mesh keeps its size and the paths grow longer. Last come reductions of whole meshes.
 
 #include <array>
 #include <cmath>
@@ -26,8 +26,8 @@ using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::VertexId;
 
-constexpr std::int64_t kPath = 8;         // length of the path while the size of the mesh changes
-constexpr std::int64_t kQuads = 100'000;  // size of the mesh while the length of the path changes
+constexpr std::int64_t kPath = 8;         // the length of the path if the size of the mesh varies
+constexpr std::int64_t kQuads = 100'000;  // the size of the mesh if the length of the path varies
 
 // A mesh with the editor of an interactive program.
 struct Scene {
@@ -48,8 +48,8 @@ QuadMesh digon(std::int64_t quads, std::int64_t d) {
   return spread_pair(theory::kDigon, d, strips).mesh;
 }
 
-// A region of about this many quads with one v3, which then moves by an edge. The adjacent 3-5 pair that it leaves is
-// transported `steps` steps away, in a straight line.
+// A region of about this many quads with one v3. The v3 then moves by an edge. The adjacent 3-5 pair that it leaves
+// behind is transported by `steps` flips, in a straight line.
 struct ThreeVertices {
   Scene scene;
   VertexId alone;
@@ -63,7 +63,7 @@ struct ThreeVertices {
     alone = scene.mesh.target(along);
     mesh::AtomicReport made = perform(editor, {*mesh::parse_atomic_name("move-v3 flip left"), along});
     for (std::int64_t i = 1; i < steps; ++i) {
-      // The inverse lies along the pair as it is now.
+      // made.inverse.along is the edge of the pair as it is now.
       made = perform(editor, {*mesh::parse_atomic_name("move-35 flip left"), made.inverse.along});
     }
     three = scene.mesh.origin(made.inverse.along);
@@ -88,7 +88,7 @@ void count_quads(benchmark::State& state, const QuadMesh& m) {
   state.counters["quads"] = static_cast<double>(m.face_count());
 }
 
-// How long does an atomic operation and its inverse take?
+// How long do an atomic operation and its inverse take?
 void atomic_move_and_back(benchmark::State& state) {
   Scene scene(digon(state.range(0), kPath));
   const HalfEdgeId along = scene.mesh.out(mesh::irregular_vertices(scene.mesh)[0]);
@@ -105,8 +105,8 @@ void atomic_move_and_back(benchmark::State& state) {
 }
 BENCHMARK(atomic_move_and_back)->ArgName("quads")->Arg(10'000)->Arg(100'000)->Arg(1'000'000);
 
-// How long does a move of a 3-3 pair that spans d x d quads and its inverse take, each with a report? The pair closes
-// over 2 d + 1 quads.
+// How long do a move of a 3-3 pair and its inverse take, each with a report? The pair spans d x d quads, and closes
+// over 2 d + 1 of them.
 void pair_move_and_back(benchmark::State& state) {
   Scene scene(digon(state.range(0), state.range(1)));
   const auto pair = mesh::irregular_vertices(scene.mesh);
@@ -166,12 +166,12 @@ void transport(benchmark::State& state, bool new_each_time) {
 }
 BENCHMARK_CAPTURE(transport, kept, false)->Apply(three_sizes);
 BENCHMARK_CAPTURE(transport, kept, false)->Apply(longer_paths)->Complexity();
-// And with a new PairTransport each time, which then allocates its working memory?
+// How long does the same take with a new PairTransport each time, which then allocates its working memory?
 BENCHMARK_CAPTURE(transport, new, true)->Apply(three_sizes);
 
-// How long does it take to cancel a v3 and a v5 with the help of a second v3 beside the v5, and to roll back? They are
-// `path` steps of a flip apart, which are twice as many edges. Each edge takes one transport, whose search covers a
-// disc.
+// How long does it take to cancel a v3 and a v5 with the help of a second v3 beside the v5, and to roll back? A flip
+// moves the v5 by two edges, and the v3 and the v5 are `path` flips apart. Each edge between them takes one transport,
+// whose search covers a disk.
 void cancel_and_roll_back(benchmark::State& state) {
   ThreeVertices start(state.range(0), state.range(1));
   mesh::PairTransport transport(start.scene.editor);
@@ -193,7 +193,7 @@ BENCHMARK(cancel_and_roll_back)
     ->Ranges({{kQuads, kQuads}, {4, 32}})
     ->Complexity(benchmark::oNCubed);
 
-// How long does the first split of a mesh take, when its arrays have no room for it yet?
+// How long does the first split of a mesh take, if the arrays must first grow?
 void first_split(benchmark::State& state) {
   const Scene untouched(digon(state.range(0), kPath));
   const HalfEdgeId inner = untouched.mesh.out(mesh::irregular_vertices(untouched.mesh)[0]);
@@ -229,7 +229,8 @@ void disturb(Scene& scene) {
   }
 }
 
-// How does the reduction of a disturbed torus, on which every irregular vertex can be cancelled, grow with its quads?
+// How does the time of a reduction grow with the quads of a disturbed torus? All its irregular vertices can be
+// cancelled.
 void reduce_disturbed_torus(benchmark::State& state) {
   const auto n = static_cast<int>(state.range(0));
   Scene disturbed(QuadMesh::from_faces(n * n, torus_faces(n)), torus_positions(n));

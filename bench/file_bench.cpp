@@ -1,4 +1,4 @@
-// Files: an OBJ of a torus is read, turned into a mesh, validated and written.
+// Files. An OBJ of a torus is read, turned into a mesh, validated and written.
 
 #include "bench/file_bench.hpp"
 
@@ -22,7 +22,7 @@ void obj_read_and_write(benchmark::State& state) {
 }
 BENCHMARK(obj_read_and_write)->Name("obj_read_and_write/requad")->Apply(sides);
 
-// How much of it is reading the text?
+// How much of that time goes into reading the text?
 void obj_read(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(mesh::read_polygon_mesh(file.path()));
@@ -30,7 +30,7 @@ void obj_read(benchmark::State& state) {
 }
 BENCHMARK(obj_read)->Apply(sides);
 
-// And building the mesh?
+// How much goes into building the mesh?
 void obj_to_mesh(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::PolygonMesh polygons = mesh::read_polygon_mesh(file.path());
@@ -39,7 +39,7 @@ void obj_to_mesh(benchmark::State& state) {
 }
 BENCHMARK(obj_to_mesh)->Apply(sides);
 
-// And writing?
+// How much goes into writing?
 void obj_write(benchmark::State& state) {
   const ObjFile file(static_cast<int>(state.range(0)));
   const mesh::Surface surface = mesh::read_surface(file.path(), false);

@@ -1,9 +1,9 @@
 // The bare kernel that ratios refer to: a closed quad mesh as two integer arrays, twin and origin, and nothing else.
 //
 // It does only what a basic operation needs. It has no handles, no boundary, no half-edge for each vertex and no free
-// lists (the caller keeps the ids of what was removed), and it does not test whether an operation is legal. It is the
-// limit for the data structure, and not for editing meshes. A flip takes the neighbouring slot, so two outer twins
-// change and not six.
+// lists (the caller keeps the ids of what was removed), and it does not test whether an operation is legal. So it
+// shows how fast this data structure can be, but it cannot edit meshes by itself. A flip moves the edge into the
+// neighbouring slot: two outer twins change instead of six.
 #pragma once
 
 #include <array>
@@ -79,7 +79,8 @@ class Kernel {
     glue(first, twin(h));
     glue(twin(h2), twin(h3));
   }
-  // Moves the sector from first to last to vertex w, and opens the face of va in between, with va at the old vertex.
+  // Moves the sector from first to last to vertex w. Opens the face of va between w and the old vertex, the origin of
+  // va.
   void split(int first, int last, int va, int w) {
     const int aw = next(va), wb = opposite(va), bv = previous(va);
     const int v = origin(first);

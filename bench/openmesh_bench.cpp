@@ -75,7 +75,7 @@ struct OpenMeshEdges : PeerSubject<OpenMeshLibrary> {
 struct OpenMeshSetters : SetterSubject<OpenMeshLibrary> {
   static constexpr const char* kName = "openmesh_setters";
   using SetterSubject::SetterSubject;
-  // What a collapse removed, for the split to restore: a half-edge of the face, the twins of two others, the vertex.
+  // What the split needs to restore a collapse: a half-edge of the face, the twins of two others, and the vertex.
   struct Undo {
     Site h, bc, cd;
     Vertex c;

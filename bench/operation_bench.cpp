@@ -22,7 +22,7 @@ void build_kernel(benchmark::State& state) {
 }
 BENCHMARK(build_kernel)->Name("build/kernel")->Apply(sides);
 
-// And with every test, and with a half-edge for each vertex?
+// How long does it take with every test, and with a half-edge for each vertex?
 void build_requad(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const FaceList faces = torus_faces(n);
@@ -52,7 +52,7 @@ void one_rings_kernel(benchmark::State& state) {
 }
 BENCHMARK(one_rings_kernel)->Name("one_rings/kernel")->Apply(sides);
 
-// And with a test for the boundary at each step?
+// How long does it take with a test for the boundary at each half-edge?
 void one_rings_requad(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const mesh::QuadMesh m = mesh::QuadMesh::from_faces(n * n, torus_faces(n));

@@ -8,18 +8,18 @@
 
 namespace requad::bench {
 
-// A fixed number of iterations, so that the large meshes are built once: four rounds over the sites of the larger
-// torus.
+// The number of iterations is fixed, so that each large mesh is built only once. It is four times the number of sites
+// of the larger torus.
 constexpr benchmark::IterationCount kRounds = 1 << 18;
 
-// Throws if the subject makes other meshes than requad. Tests it at the first call only.
+// Throws if the subject does not make the same meshes as requad. Only the first call tests this.
 template <class Subject>
 void require_same_meshes_once() {
   static const bool same = (require_same_meshes<Subject>(), true);
   benchmark::DoNotOptimize(same);
 }
 
-// Times there_and_back(subject, site) at random sites of a torus. It returns the handle that the site has afterwards.
+// Times there_and_back(subject, site) at random sites of a torus. The function returns the site's new handle.
 template <class Subject, class ThereAndBack>
 void at_random_sites(benchmark::State& state, ThereAndBack&& there_and_back) {
   require_same_meshes_once<Subject>();
@@ -35,13 +35,13 @@ void at_random_sites(benchmark::State& state, ThereAndBack&& there_and_back) {
   }
 }
 
-// How long does a flip and the flip back take, at random sites of a torus of n x n quads?
+// How long do a flip and the flip back take at random sites of a torus of n x n quads?
 template <class Subject>
 void flip_and_back(benchmark::State& state) {
   at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.flip_back(subject.flip(site)); });
 }
 
-// How long does a collapse and the split that undoes it take, at random sites of a torus of n x n quads?
+// How long do a collapse and the split that undoes it take at random sites of a torus of n x n quads?
 template <class Subject>
 void collapse_and_split(benchmark::State& state) {
   at_random_sites<Subject>(state, [](Subject& subject, auto& site) { return subject.split(subject.collapse(site)); });

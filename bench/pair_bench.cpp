@@ -1,4 +1,4 @@
-// What a whole pair move costs compared with its basic operations alone, by kind of pair, step and distance.
+// The cost of a whole pair move compared with that of its basic operations alone, by kind of pair, step and distance.
 
 #include <algorithm>
 #include <string>
@@ -34,7 +34,7 @@ void by_distance(benchmark::internal::Benchmark* b) {
   b->ArgName("d")->RangeMultiplier(4)->Range(4, 256)->Complexity(benchmark::oN);
 }
 
-// How long do the basic operations of a move and their inverses take, as checked calls, when they are known beforehand?
+// How long do the basic operations of a move and their inverses take, as checked calls that are known beforehand?
 void operations(benchmark::State& state, theory::PairType type, PairStep step) {
   Start start(type, step, state.range(0));
   QuadMesh copy = start.mesh;
@@ -50,8 +50,8 @@ void operations(benchmark::State& state, theory::PairType type, PairStep step) {
   state.SetComplexityN(2 * state.range(0));
 }
 
-// And the move and its inverse, which find their operations themselves? Ids differ each time, so a round of moves is
-// prepared beforehand and made again and again from the same mesh. The time does not include the search for frames.
+// How long do the move and its inverse take, which find their operations themselves? Each move changes ids. So a round
+// of moves is prepared beforehand, and is repeated from the same mesh. The time does not include the search for frames.
 void mover(benchmark::State& state, theory::PairType type, PairStep step) {
   constexpr int kRound = 256;
   const Start start(type, step, state.range(0));

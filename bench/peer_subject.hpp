@@ -1,8 +1,7 @@
-// Half-edge libraries as subjects (subjects.hpp): the set-up that is the same for all of them, and operations by
-// setters.
+// Half-edge libraries as subjects (subjects.hpp): the set-up that all of them share, and operations by setters.
 //
-// A Library holds a mesh and names in one way what it can do:
-//   Site, Vertex, Face              its handles, a Site being a half-edge
+// A Library holds a mesh and gives the same names to the functions of every library:
+//   Site, Vertex, Face              its handles; a Site is a half-edge
 //   reserve(), vertex(i)            called once before vertices are added; the handle of vertex i
 //   add_vertex(), add_face(a, b, c, d)
 //   between(a, b)                   the half-edge from a to b

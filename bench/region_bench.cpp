@@ -1,5 +1,5 @@
-// What regions cost: to generate, to name by signatures, to explore by moves with a mesh for each configuration, and to
-// walk on a single mesh.
+// The cost of regions: of generating them, of naming them by signatures, of exploring them by moves with a mesh for
+// each configuration, and of walking through the configurations on a single mesh.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ void grow(benchmark::State& state) {
 }
 BENCHMARK(grow)->Name("generate/grow")->ArgName("d")->RangeMultiplier(4)->Range(4, 256)->Complexity(benchmark::oNLogN);
 
-// And to glue it from rectangles?
+// How long does it take to glue the digon from rectangles?
 void glue(benchmark::State& state) {
   const theory::Integer d = state.range(0);
   std::int64_t quads = 0;
@@ -43,7 +43,7 @@ void glue(benchmark::State& state) {
 }
 BENCHMARK(glue)->Name("generate/glue")->ArgName("d")->RangeMultiplier(4)->Range(4, 256)->Complexity(benchmark::oN);
 
-// Is the signature of a region linear in its faces?
+// Is the time for the signature of a region linear in its faces?
 void region_signature(benchmark::State& state) {
   const mesh::Region region = spread_pair(theory::kDigon, 1, state.range(0) / 2 - 1);
   for (auto _ : state) benchmark::DoNotOptimize(mesh::signature(region));
@@ -52,7 +52,7 @@ void region_signature(benchmark::State& state) {
 }
 BENCHMARK(region_signature)->ArgName("L")->RangeMultiplier(2)->Range(16, 512)->Complexity(benchmark::oN);
 
-// How does a whole exploration of a regular digon grow with its side?
+// How does the time of a whole exploration of a regular digon grow with its side?
 void exploration(benchmark::State& state) {
   const auto shape = RegionShape::regular(theory::kDigon, state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(enumerate::explore_all(shape, theory::Apex::without));
@@ -114,13 +114,13 @@ struct WalkBench {
 };
 
 // How long does the bare kernel take for as many flips, collapses and splits as the walk makes? They are made at random
-// sites of a torus with as many quads as the region has at most.
+// sites of a torus. It has as many quads as the largest configuration of the region.
 void walk_limit(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
   const Operations todo = operations_of_walk(bench.table.shape());
   require(todo.flips + todo.others == enumerate::walk(bench.table, bench.start).operations,
           "these are not the operations of the walk");
-  // A multiple of 4, as random_sites() has it.
+  // random_sites() requires a multiple of 4.
   const int n = std::max(8, static_cast<int>(std::sqrt(static_cast<double>(bench.table.most_faces()))) / 4 * 4);
   KernelSubject subject(n);
   std::vector<KernelSubject::Site> sites;
@@ -141,8 +141,8 @@ void walk_limit(benchmark::State& state, PairType type) {
   state.SetComplexityN(state.range(0));
 }
 
-// Does a walk over all configurations of a region, each identified by its separatrices, grow with the cube of its side?
-// And how much time does it need to plan and check its basic operations and to trace separatrices?
+// Does the time of a walk over all configurations of a region grow with the cube of its side? How much more is it than
+// the time of the bare operations? The walk plans and checks them, and traces separatrices to identify configurations.
 void walk_requad(benchmark::State& state, PairType type) {
   const WalkBench bench(type, state.range(0));
   enumerate::WalkResult result;

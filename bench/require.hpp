@@ -5,8 +5,8 @@
 
 namespace requad::bench {
 
-// Throws std::logic_error if the condition does not hold, which ends the program with this line. State::SkipWithError
-// is no alternative: that of Google Benchmark 1.7 crashes without a message when Complexity() was called.
+// Throws std::logic_error with this message if the condition does not hold. This ends the program. The alternative,
+// State::SkipWithError, crashes in Google Benchmark 1.7 without a message if Complexity() was called.
 inline void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }

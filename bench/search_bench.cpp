@@ -1,4 +1,4 @@
-// What the exhaustive search costs on one core: states per second, states per filling, and what the pruning rules save.
+// The cost of the exhaustive search on one core: states per second, states per filling, and savings by pruning rules.
 
 #include <benchmark/benchmark.h>
 
@@ -28,21 +28,21 @@ SearchOutcome time_search(benchmark::State& state, const SearchProblem& problem,
   return found;
 }
 
-// How many states per second does it visit in a digon with a 3-3 pair, and how does the time grow with the side?
+// How many states per second does the search visit in a digon with a 3-3 pair? How does the time grow with the side?
 void digon_33(benchmark::State& state) {
   time_search(state, regular_polygon(2, state.range(0), {3, 3}));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(digon_33)->ArgName("L")->DenseRange(8, 32, 8)->Unit(benchmark::kMillisecond)->Complexity();
 
-// And in a hexagon with a 5-5 pair?
+// The same questions for a hexagon with a 5-5 pair.
 void hexagon_55(benchmark::State& state) {
   time_search(state, regular_polygon(6, state.range(0), {5, 5}));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(hexagon_55)->ArgName("L")->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
 
-// And in a four-sided region with a 3-5 pair?
+// The same questions for a four-sided region with a 3-5 pair.
 void quad_35(benchmark::State& state) {
   const auto side = static_cast<int>(state.range(0));
   time_search(state, search_problem({side, side - 2, side + 2, side}, {3, 5}));
@@ -50,14 +50,14 @@ void quad_35(benchmark::State& state) {
 }
 BENCHMARK(quad_35)->ArgName("L")->DenseRange(6, 15, 3)->Unit(benchmark::kMillisecond)->Complexity();
 
-// And in a triangle with three irregular vertices?
+// The same questions for a triangle with three irregular vertices.
 void triangle_335(benchmark::State& state) {
   time_search(state, regular_polygon(3, state.range(0), {3, 3, 5}));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(triangle_335)->ArgName("L")->DenseRange(4, 10, 2)->Unit(benchmark::kMillisecond)->Complexity();
 
-// And in a region without corners, with a bound on the number of faces?
+// The same questions for a region without corners, with a bound on the number of faces.
 void without_corners(benchmark::State& state) {
   SearchLimits limits;
   limits.faces = static_cast<int>(state.range(0));
@@ -66,7 +66,7 @@ void without_corners(benchmark::State& state) {
 }
 BENCHMARK(without_corners)->ArgName("faces")->DenseRange(20, 40, 10)->Unit(benchmark::kMillisecond)->Complexity();
 
-// How many more states does it visit without one pruning rule (0 Gauss-Bonnet, 1 parity, 2 face bound)?
+// How many more states does the search visit without one pruning rule (0 Gauss-Bonnet, 1 parity, 2 face bound)?
 void without_rule(benchmark::State& state, const SearchProblem& problem, int faces) {
   constexpr bool SearchPruning::*kRules[] = {&SearchPruning::gauss_bonnet, &SearchPruning::parity,
                                              &SearchPruning::face_bound};

@@ -1,7 +1,7 @@
-// What is measured side by side, behind one interface: the bare kernel, requad, and other libraries (peer_subject.hpp).
-// Also the tori that they are measured on, and the test that all of them make the same meshes.
+// The subjects that are compared, behind one interface: the bare kernel, requad, and other libraries
+// (peer_subject.hpp). Also the tori on which they are measured, and the test that all of them make the same meshes.
 //
-// A subject is built as a torus, finds a half-edge by its ends, and performs at it
+// A subject is built as a torus. It finds a half-edge by its ends, and performs these operations there:
 //   flip, flip_back     turns the edge by one corner counter-clockwise, and back
 //   collapse, split     closes the face of the half-edge, whose origin stays, and opens it again
 // Each call returns what the next call of the pair needs, since libraries differ in which handles stay valid. A subject
@@ -48,8 +48,8 @@ inline mesh::Positions torus_positions(int n) {
   return positions;
 }
 
-// The ends of half-edges in random order and of random direction, four quads apart, so that an operation at one does
-// not touch the others. Precondition: n is a multiple of 4.
+// The ends of half-edges in random order and with random directions. They are four quads apart, so that an operation at
+// one of them does not touch the others. Precondition: n is a multiple of 4.
 inline std::vector<std::array<int, 2>> random_sites(int n) {
   std::mt19937 random(2011);
   const FaceList faces = torus_faces(n);

@@ -1,4 +1,4 @@
-// What a second core gains: one search, and one sweep of regions, with one thread and with two, in real time.
+// The gain from a second core. One search and one sweep of regions run with one thread and with two, in real time.
 
 #include <benchmark/benchmark.h>
 
@@ -13,7 +13,7 @@ void one_and_two(benchmark::internal::Benchmark* b) {
   b->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-// How much faster is one large search?
+// How much faster does one large search become?
 void search_threads(benchmark::State& state) {
   enumerate::SearchLimits limits;
   limits.threads = static_cast<int>(state.range(0));
@@ -24,7 +24,7 @@ void search_threads(benchmark::State& state) {
 }
 BENCHMARK(search_threads)->Apply(one_and_two);
 
-// How much faster is the check of every claim on many regions?
+// How much faster does the check of every claim on many regions become?
 void sweep_threads(benchmark::State& state) {
   verify::Ranges ranges;
   ranges.digon = {3, 20};

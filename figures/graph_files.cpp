@@ -19,7 +19,7 @@ namespace {
 
 using enumerate::AttributedGraph;
 
-constexpr double kPointsPerStep = 62;  // points between neighbours of the grid
+constexpr double kPointsPerUnit = 62;  // points between neighbours of the grid
 
 std::string decimals(double x) {
   std::array<char, 32> buffer;
@@ -27,7 +27,7 @@ std::string decimals(double x) {
           std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
 }
 
-// The values of an attribute, by a function of a node or an edge.
+// The values of an attribute, which a function gives for each node or edge.
 template <class Element, class Value>
 std::vector<std::string> column(const std::vector<Element>& elements, const Value& value) {
   std::vector<std::string> values;
@@ -77,7 +77,7 @@ AttributedGraph attributed_graph(const GridFigure& figure) {
   return graph;
 }
 
-// Adds where the nodes lie and how Graphviz draws them.
+// Adds the positions of the nodes, and the attributes by which Graphviz draws them.
 void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
   const auto at_nodes = [&figure](auto value) { return column(figure.nodes, value); };
   const auto all_nodes = [&at_nodes](const char* value) {
@@ -87,7 +87,7 @@ void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
     return to_hex(figure.grids[static_cast<std::size_t>(n.grid)].colour());
   };
   graph.at_nodes["pos"] = at_nodes([](const GridNode& n) {
-    return decimals(n.at[0] * kPointsPerStep) + "," + decimals(n.at[1] * kPointsPerStep) + "!";
+    return decimals(n.at[0] * kPointsPerUnit) + "," + decimals(n.at[1] * kPointsPerUnit) + "!";
   });
   graph.at_nodes["shape"] = all_nodes("ellipse");
   graph.at_nodes["fixedsize"] = all_nodes("true");
@@ -107,7 +107,8 @@ struct GraphCloser {
   void operator()(Agraph_t* graph) const { agclose(graph); }
 };
 
-// A DOT file as libcgraph writes it, with attributes of the graph: one attribute to a line, and none that is empty.
+// The DOT file that libcgraph writes, with these attributes of the graph. Each attribute is on a line of its own, and
+// empty ones are left out.
 // Throws std::logic_error if libcgraph cannot read it.
 std::string laid_out(const std::string& dot, const std::vector<std::pair<const char*, std::string>>& attributes) {
   const std::unique_ptr<Agraph_t, GraphCloser> graph(agmemread(dot.c_str()));

@@ -3,8 +3,8 @@
 // Attributes in both formats
 //   nodes   label, d1, d2, p; m and n, the point of the grid; faces and signature of the mesh; sides of the region; for
 //           a copy also same_as, the name of its original
-//   edges   step; direction (what the step adds to m and n); operations, the number of basic ones, and of these splits,
-//           collapses and flips; faces (made minus deleted)
+//   edges   step; direction (what the step adds to m and n); operations, the number of basic operations, and among
+//           them splits, collapses and flips; faces (made minus deleted)
 // The same figure gives the same bytes.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace requad::figures {
 
-// With positions in points, so that `neato -n2` draws the grid as it is. Laid out by libcgraph.
+// The figure as DOT, written by libcgraph. Positions are in points, so `neato -n2` draws the grid without changing it.
 std::string to_dot(const GridFigure& figure);
-// With names, and with x and y in grid units.
+// The figure as GraphML, with the names of the nodes. The attributes x and y are in grid units.
 std::string to_graphml(const GridFigure& figure);
 
 }  // namespace requad::figures

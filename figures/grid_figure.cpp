@@ -71,8 +71,8 @@ void add_grid(GridFigure& figure, const Exploration& found, const std::string& p
     if (found.shape.type().symmetric() && c.degenerate() && !c.merged())
       add_node(theory::other_labelling(found.shape.type(), c), i, node);
   }
-  // A move and its inverse join the same two positions, so every edge is met twice. Two edges may join the same two
-  // nodes, or one node with itself, where labellings share a position.
+  // A move and its inverse join the same two positions, so this loop meets every edge twice. If labellings share a
+  // position, two edges may join the same two nodes, or an edge may join a node to itself.
   std::map<std::pair<int, int>, int> drawn;
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
@@ -80,14 +80,14 @@ void add_grid(GridFigure& figure, const Exploration& found, const std::string& p
     const auto to = node_at.find(key(position(move.after.value())));
     if (from == node_at.end() || to == node_at.end()) throw std::logic_error("a move leaves the grid");
     const std::pair<int, int> ends = std::minmax(from->second, to->second);
-    // The moves from the lesser of two nodes are the edges. Of the two moves of a self-loop the first one is.
+    // Draws one of the two: the move from the node with the lesser number; for a self-loop, the move that comes first.
     const int met = ++drawn[ends];
     if (from->second == to->second ? met % 2 == 0 : from->second != ends.first) continue;
     figure.edges.push_back(edge_of(found.shape.type(), from->second, to->second, move));
   }
 }
 
-// The side of a regular region and the next smaller one, if that region holds a pair.
+// The side of a regular region, and the next smaller side if a region with that side holds a pair.
 std::vector<int> two_lengths(int length) {
   if (length < 3) {
     throw std::invalid_argument("a regular region of side " + std::to_string(length) +

@@ -17,10 +17,10 @@ struct GridNode {
   std::string label;                    // "(m,n)" or "(m,n,p)"
   std::array<double, 2> at;             // in grid units, y upwards
   int grid = 0;                         // which of the figure's grids
-  int same_as = -1;                     // for a copy the node of its original, otherwise -1
-  theory::Configuration configuration;  // the labelling drawn here; a copy has another one than its original
+  int same_as = -1;                     // for a copy, the index of its original; otherwise -1
+  theory::Configuration configuration;  // the labelling drawn here; a copy and its original have different ones
   mesh::Region region;
-  mesh::PairFrame frame;  // of the pair; of the merged vertex, with a = b = 0
+  mesh::PairFrame frame;  // of the pair, or of the merged vertex
   std::string signature;
 
   int faces() const { return region.mesh.face_count(); }
@@ -77,6 +77,6 @@ GridFigure unfolded_figure(int length);
 // The grids of side L and L - 1 on top of each other, with each cone opened to a disk: level s = m + n is the circle of
 // radius s. Each edge of one grid crosses an edge of the other, its dual.
 GridFigure dual_figure(theory::PairType type, int length);
-// All of them throw std::invalid_argument if there is no such region.
+// All six functions throw std::invalid_argument if there is no such region.
 
 }  // namespace requad::figures

@@ -1,11 +1,11 @@
-// The commands of requad-figures, each in a source of its own. main.cpp has the table of them.
+// The commands of requad-figures. Each has a source of its own. The table of commands is in main.cpp.
 #pragma once
 
 #include "mesh/program/program.hpp"
 
 namespace requad::figures {
 
-// Without the name of a command: pictures and grids.
+// The command that runs if none is named: pictures and grids.
 program::Command pictures_command();
 // --explorer. Exit code: kCheckFailed if a claim fails in the region.
 program::Command explorer_command();

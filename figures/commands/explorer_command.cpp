@@ -1,4 +1,4 @@
-// requad-figures --explorer: one HTML file in which the configurations of a region can be walked through.
+// requad-figures --explorer: one HTML file in which a reader walks through the configurations of a region.
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-// requad-figures without a command: pictures and grids into a folder.
+// requad-figures without a command: writes pictures and grids into a folder.
 
 #include <algorithm>
 #include <filesystem>
@@ -38,8 +38,8 @@ Choices choices_of(const Options& options) {
   return choices;
 }
 
-// The figures of --figure, in the order of the catalogue. All are made before the first file is written, so that
-// nothing is written if one of them cannot be made.
+// Makes the figures of --figure, in the order of the catalogue. This is done before the first file is written: if one
+// of them cannot be made, nothing is written.
 std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choices& choices) {
   std::vector<Figure> figures;
   for (const CatalogueEntry& entry : catalogue()) {
@@ -48,7 +48,7 @@ std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choi
   return figures;
 }
 
-// Throws UsageError if a figure that was asked for has none of the formats that were asked for.
+// Throws UsageError if a requested figure has none of the requested formats.
 void require_formats(const std::vector<Figure>& figures, const std::vector<std::string>& formats) {
   for (const Figure& figure : figures) {
     if (!figure.entry->is_grid && std::all_of(formats.begin(), formats.end(), is_graph)) {
@@ -63,7 +63,7 @@ std::string file_text(const Picture& picture, const std::string& format) {
   return pictures::render(picture.paint, format);
 }
 
-// Files in one folder, with what is reported of each.
+// Files in one folder, and what is reported about each.
 class Folder {
  public:
   explicit Folder(std::filesystem::path path) : path_(std::move(path)) {}
@@ -108,7 +108,7 @@ int write_pictures(const Options& options) {
   const Choices choices = choices_of(options);
   const std::string path = options.text("output", ".");
   program::require_folder(path);
-  // A list of what is written may go into this folder, which need not exist yet.
+  // --json may name a file in this folder, which need not exist yet.
   const fs::path list = fs::path(options.text("json")).lexically_normal();
   if (list.parent_path() != (fs::path(path) / "").lexically_normal().parent_path()) options.require_outputs();
   const std::vector<Figure> figures = make_figures(ids, choices);

@@ -144,7 +144,7 @@ RegionClaim connected_claim(const Exploration& found) {
           components == 1};
 }
 
-// P1, P2: what a move does to (d1,d2).
+// P1 and P2: the change of (d1,d2) by a move.
 RegionClaim distance_claim(const Exploration& found) {
   std::size_t made = 0;
   std::size_t as_claimed = 0;
@@ -170,8 +170,8 @@ RegionClaim distance_claim(const Exploration& found) {
           holds};
 }
 
-// P3: the quads made minus the quads deleted follow the formula of section 6, and a mesh has as many quads as its
-// strips say.
+// P3: the quads made minus the quads deleted follow the formula of section 6. The strip counts of a mesh give its
+// number of quads.
 RegionClaim faces_claim(const Exploration& found) {
   const theory::PairSystem system(found.shape.type());
   const auto quads = [&system](const Configuration& c) { return system.face_count(c.parameters); };
@@ -211,7 +211,7 @@ RegionClaim inverse_claim(const Exploration& found) {
           moves == as_claimed};
 }
 
-// N2: d1 + d2 has one parity, and there is a merged vertex where it is even and there is room.
+// N2: d1 + d2 has the same parity everywhere. If it is even and there is room, there is a merged vertex.
 RegionClaim parity_claim(const Exploration& found) {
   const bool even = theory::smallest_regular(found.shape) % 2 == 0;
   const std::size_t merged = theory::merged_configurations(found.shape).size();

@@ -34,8 +34,8 @@ using theory::PairType;
 
 using Spot = std::array<Integer, 3>;
 
-// The spot of a labelling, in the rotated grid of Figure 10, in the half cube of Figure 11, where quadrant p lies
-// between the axes p and p - 1, or in the grid of Figure 12.
+// The spot of a labelling: in the rotated grid of Figure 10, in the half cube of Figure 11, or in the grid of Figure
+// 12. In the half cube, quadrant p lies between the axes p and p - 1.
 Spot spot_of(PairType type, const Configuration& labelling) {
   if (!type.symmetric()) {
     const theory::GridPoint at = theory::grid_point(type, theory::canonical(type, labelling));
@@ -117,8 +117,8 @@ const char* key_of(PairType type, const Exploration& found, const FoundMove& mov
 
 // --- arrows ----------------------------------------------------------------------------------------------------------
 
-// The vertex to which a step takes the first vertex of a frame: the next one along a separatrix, or the far corner of a
-// face that lies between two separatrices. See the table of pair_moves.hpp.
+// The vertex towards which a step takes v1 of a frame. It is the next one along a separatrix, or the far corner of the
+// face between two separatrices. See the table of pair_moves.hpp.
 VertexId heading(const QuadMesh& m, const PairFrame& f, PairStep step, bool other_is_alike) {
   const auto along = [&m](HalfEdgeId h) { return m.target(h); };
   // The far corner of the face between h and the next edge counter-clockwise.
@@ -173,7 +173,7 @@ ordered_json faces_json(const QuadMesh& m) {
   return json;
 }
 
-// The faces that differ: [id, a, b, c, d], or [id] for a deleted face.
+// The faces that differ between the two meshes: [id, a, b, c, d], or [id] for a deleted face.
 ordered_json patch(const QuadMesh& before, const QuadMesh& after) {
   ordered_json json = ordered_json::array();
   for (int i = 0; i < after.face_capacity(); ++i) {
@@ -234,7 +234,7 @@ ordered_json ids(const std::vector<VertexId>& vertices) {
   return json;
 }
 
-// The vertices round R_alpha, counter-clockwise from v1. For a segment the vertices along it.
+// The vertices on the rim of R_alpha, counter-clockwise from v1. For a segment, the vertices along it.
 std::vector<VertexId> vertices_round(const QuadMesh& m, const PairFrame& f) {
   std::vector<VertexId> vertices{f.v1};
   for (const HalfEdgeId h : f.degenerate() ? mesh::path_between(m, f) : mesh::rim(m, f))
@@ -272,7 +272,7 @@ ordered_json node_json(PairType type, const FoundNode& node) {
                     {"quads", m.face_count()},
                     {"signature", node.signature},
                     {"spots", spots_of(type, c)}};
-  // The larger side of the bounding box is 2000 long. Whole numbers are precise enough for the screen.
+  // The larger side of the bounding box has length 2000. Whole numbers are then precise enough for the screen.
   const auto position = mesh::draw(node.region);
   double reach = 0;
   for (const auto& p : position) reach = std::max(reach, p.cwiseAbs().maxCoeff());

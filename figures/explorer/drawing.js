@@ -1,4 +1,4 @@
-// Drawings in SVG: the mesh of a configuration, and the graph of all.
+// Drawings in SVG: the mesh of one configuration, and the graph of all configurations.
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -25,7 +25,7 @@ const length = ([x, y]) => Math.hypot(x, y);
 const minus = (p, q) => [p[0] - q[0], p[1] - q[1]];
 const plus = (p, q, factor = 1) => [p[0] + factor * q[0], p[1] + factor * q[1]];
 
-// A regular polygon with as many corners as the vertex has edges: the valence can be told without colour.
+// A regular polygon with as many corners as the vertex has edges. So the valence can be seen without colours.
 function valenceShape(at, valence, radius) {
   const corners = Math.max(valence, 2);
   if (corners === 2) {
@@ -98,7 +98,7 @@ class MeshView {
     });
   }
 
-  // Letters of some size on the screen, within bounds in the mesh's own units.
+  // The height of letters: constant on the screen, but within bounds in the mesh's units.
   letters(pixels, least, most) {
     return Math.min(Math.max(pixels * this.unitsPerPixel, least), most);
   }
@@ -149,7 +149,7 @@ class MeshView {
     this.fit();
   }
 
-  // The whole region, or the pair and what is round it.
+  // Shows the whole region, or the pair and its surroundings.
   fit() {
     let box = this.whole;
     if (this.closeUp) {
@@ -166,7 +166,7 @@ class MeshView {
     this.drawSeparatrices(this.node);
   }
 
-  // A configuration at rest, with what can be done next.
+  // Shows a configuration at rest, and the moves that are possible.
   show(node, moves) {
     this.node = node;
     this.fit();
@@ -187,7 +187,7 @@ class MeshView {
     node.outward.forEach((path, i) => {
       const points = path.map((v) => node.vertices[v]);
       this.separatrices.append(element("path", {d: openPath(points)}));
-      // The label beside the middle of the last edge.
+      // The label lies beside the middle of the last edge.
       const [p, q] = points.slice(-2);
       const along = minus(q, p);
       const size = this.letters(12, 26, 74);
@@ -198,7 +198,7 @@ class MeshView {
     });
   }
 
-  // Figure 9: two arrows of one colour, one at each vertex, towards where the move takes it.
+  // Figure 9: for each move two arrows of one colour. Each points from a vertex of the pair to where the move takes it.
   arrowPair(move, positions) {
     const group = element("g", {class: `arrow ${move.key}`, "data-key": move.key});
     const head = this.letters(12, 0.3 * this.unit, 0.5 * this.unit);
@@ -229,7 +229,8 @@ class MeshView {
     return group;
   }
 
-  // A moment of a film: quads being made are yellow, quads being deleted red and hatched, as in the paper.
+  // Shows a moment of a film. Quads that are being made are yellow; quads that are being deleted are red and hatched,
+  // as in the paper.
   showMoment({faces, positions, operation}, boundary) {
     this.svg.classList.add("moving");
     this.drawFaces(faces, positions);
@@ -249,7 +250,7 @@ class MeshView {
 class GraphView {
   static CUBE_UNIT = 128;
 
-  // `onNode(index)` is called when a configuration is clicked. `onTurn()` after the cube was turned.
+  // `onNode(index)` is called when a configuration is clicked, and `onTurn()` after the cube was turned.
   constructor(svg, data, onNode) {
     this.svg = svg;
     this.data = data;
@@ -279,7 +280,7 @@ class GraphView {
   }
 
   resetTurn() {
-    this.yaw = Math.PI / 4;  // into the corner of the cube, axis 1 upwards
+    this.yaw = Math.PI / 4;  // the view is into the corner of the cube, with axis 1 upwards
     this.pitch = Math.asin(1 / Math.sqrt(3));
   }
 
@@ -298,7 +299,7 @@ class GraphView {
     return this.spots.findIndex((s) => s.index === node && s.copy === copy);
   }
 
-  // Grid coordinates to the plane, and depth towards the viewer.
+  // Projects grid coordinates to the plane, with the depth towards the viewer.
   project([x, y, z]) {
     if (!this.cube) {
       const scale = this.data.pair === "3-5" ? 128 : 66;
@@ -392,7 +393,7 @@ class GraphView {
     }));
   }
 
-  // Everything in view; the cube always at one scale, so that it does not breathe while it turns.
+  // Fits everything into the view. The cube keeps one scale, so that it does not grow and shrink while it turns.
   fit(places) {
     let [left, right, low, high] = [0, 0, 0, 0];
     if (this.cube) {
@@ -405,7 +406,7 @@ class GraphView {
     }
     const margin = 60;
     this.width = Math.max(right - left + 2 * margin, 700);
-    // What must be read on a large graph, too.
+    // These must be readable on a large graph, too.
     this.boost = Math.min(Math.max(1, this.width / 1100), 1.7);
     this.svg.style.setProperty("--boost", this.boost);
     const centre = (left + right) / 2;

@@ -1,16 +1,17 @@
 // The explorer: one HTML file in which a reader walks through a region's configurations, their meshes and their moves.
 //
 // The file needs no server, no network and no library. Its program is our own (figures/explorer/, embedded by CMake).
-// Its data are the meshes that an exploration by pair moves found, and the operations by which the moves were made. The
-// page applies these operations to the mesh that it shows, and then checks that the result is isomorphic, relative to
+// Its data are the meshes that an exploration by pair moves found, and the operations of these moves. To make a move,
+// the page applies its operations to the mesh on the screen. Then it checks that the result is isomorphic, relative to
 // the boundary, to the mesh that was found.
 //
 // Terms
-//   spot       the position of a configuration in the drawing of the graph. A configuration has one spot, or two in a
-//              digon, where (x,0) and (0,x) are one configuration and lie at both ends of a level (Figure 10).
+//   spot       the position of a configuration in the drawing of the graph. A configuration has one spot. The exception
+//              is a digon, where (x,0) and (0,x) are one configuration with two spots, at both ends of a level
+//              (Figure 10).
 //   key        the arrow key that makes a move. For equal valences up is (+1,+1), down (-1,-1), left (-1,+1) and right
-//              (+1,-1), as the grid of Figure 10 lies. A segment has two moves (+1,+1); the one of its second labelling
-//              takes the key down, which a segment does not need otherwise. For a 3-5 pair the keys are the steps of
+//              (+1,-1), as in the grid of Figure 10. A segment has two moves (+1,+1). The move of its second labelling
+//              has the key down, which a segment does not need otherwise. For a 3-5 pair the keys are the steps of
 //              (m,n). A v6 parts to the left, to the right and down.
 //   patch      what a basic operation does to the list of faces: the new corners of each face that it makes or changes,
 //              and the ids of those that it deletes.
@@ -37,13 +38,13 @@
 
 namespace requad::figures {
 
-// Bounds that keep the page small and quick. It grows with the configurations and with the quads of all their meshes.
+// Bounds that keep the page small and quick. Its size grows with the number of configurations and of all their quads.
 inline constexpr theory::Integer kMostConfigurations = 150;
 inline constexpr theory::Integer kMostQuads = 30'000;
 inline constexpr theory::Integer kLongestSide = 60;
 
-// One line that says why there is no explorer for this region, or "". The reasons are no configuration that
-// holds the pair, or more than the bounds above.
+// One line that says why there is no explorer for this region, or "". There is none if no configuration holds the pair,
+// or if a bound above is exceeded.
 std::string explorer_problem(const theory::RegionShape& shape);
 
 // A claim of the paper, judged for one region by comparing what theory/ predicts with what moves found.

@@ -1,4 +1,4 @@
-// The page: what is chosen, what moves, what is said.
+// The page: its state, the motion of the mesh, and the words.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const $ = (id) => document.getElementById(id);
@@ -10,7 +10,7 @@ const state = {
   moving: null,      // {move, film, start, duration, whole} while a mesh changes
   path: [],          // indices of moves: the shortest path that is chosen
   step: 0,           // the next one of them
-  pathShown: false,  // on the graph, once somebody has asked for it
+  pathShown: false,  // whether the graph shows the path; true after the first choice of one
   playing: false,
   timer: 0,
   last: null,  // the last move made and the mesh that its operations gave
@@ -93,7 +93,7 @@ function drawMoves() {
     if (move) {
       const to = data.nodes[move.to].label;
       change.textContent = move.change;
-      // A segment is seen by the labelling in which the change is true.
+      // Of the two labellings of a segment, the one is named in which the change is true.
       const seen = move.names[0] === data.nodes[move.from].label ? "" : `${move.names[0]} `;
       what.replaceChildren(
           `${seen}to ${move.names[1]}`,
@@ -180,7 +180,7 @@ function tick(now) {
   requestAnimationFrame(tick);
 }
 
-// Ends a move that is under way: the mesh that the operations made must be the one that the program found.
+// Ends a move that is under way. The operations must have made the mesh that the program found.
 function finishMove() {
   if (!state.moving) return;
   const {move, film} = state.moving;
@@ -226,7 +226,7 @@ function stopPlaying() {
   state.playing = false;
 }
 
-// Where the film stands: the start of its next move, or the end.
+// The present configuration of the film: the start of its next move, or the end of the path.
 function filmNode() {
   return finished() ? Number($("film-to").value) : data.moves[state.path[state.step]].from;
 }
@@ -262,7 +262,7 @@ function play() {
   drawFilmState();
 }
 
-// After each move of a film a pause, longer where there is no motion to follow.
+// Goes on with the film after a pause. The pause is longer if the reader prefers reduced motion.
 function playOn() {
   drawFilmState();
   if (finished()) {
@@ -277,7 +277,7 @@ function playOn() {
   }, (stillness.matches ? 1200 : 350) / speed());
 }
 
-// A click on a configuration: its move if it is a neighbour, the shortest path to it if not.
+// Handles a click on a configuration. A neighbour is reached by its move, any other one by a shortest path.
 function walkTo(node) {
   stopPlaying();
   finishMove();
@@ -440,7 +440,7 @@ function listen() {
       graphView.draw();
     });
   }
-  // Labels that would be too small to read give way; the chosen configuration's is above the mesh as well.
+  // Labels that would be too small to read are hidden. The label of the chosen configuration is also above the mesh.
   new ResizeObserver(() => {
     const scale = $("graph").clientWidth / graphView.width;
     $("graph").classList.toggle("dense", 21 * scale < 7.5);
@@ -465,12 +465,12 @@ function openAddress() {
 fillPage();
 listen();
 if (!openAddress()) show();
-// At first the film leads from the first configuration to one of those that are farthest from it.
+// At the start, the film leads from the first configuration to one that is farthest from it.
 $("film-to").value = String([...reached(data.moves, 0).keys()].at(-1));
 state.path = shortestPath(data.moves, 0, Number($("film-to").value));
 drawFilmState();
 
-// What tests ask for.
+// The interface for tests.
 window.explorer = {
   data,
   state: () => ({

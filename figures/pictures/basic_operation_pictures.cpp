@@ -32,13 +32,13 @@ HalfEdgeId grid_edge(const Region& g, int rows, int i, int j, int di, int dj) {
   return g.mesh.find_half_edge(VertexId(i * (rows + 1) + j), VertexId((i + di) * (rows + 1) + j + dj));
 }
 
-// The figure's own layout: panels in columns and rows, with arrows between neighbouring columns.
+// The layout of this figure: panels in columns and rows, with arrows between neighbouring columns.
 class OperationSheet {
  public:
   void add(Panel panel, double column, double row) {
     sheet_.panels.push_back({std::move(panel), {column * kX, row * kY}, kUnit});
   }
-  // Between a column and the next one: to the right for direction 1, to the left for -1.
+  // Adds an arrow between a column and the next one. It points to the right for direction 1, to the left for -1.
   void arrow(double column, double row, double direction) {
     const double x = (column + 0.5) * kX;
     sheet_.arrow({x - direction * 14, row * kY}, {x + direction * 14, row * kY});
@@ -89,8 +89,8 @@ void add_flips(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
   }
 }
 
-// The edge is u -> v, with p, q on its left and r, s on its right. The split parts v along p - v - s. The collapse
-// merges the new vertex, which took the edge, with r across the face on the right.
+// The edge is u -> v, with p, q on its left and r, s on its right. The split parts v along p - v - s, and the new
+// vertex gets the edge. The collapse merges the new vertex with r across the face on the right.
 void add_flip_of_two(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
   const HalfEdgeId back = patch.mesh.twin(edge);
   const BasicOperation split{BasicOperation::Kind::split, QuadMesh::next(edge), QuadMesh::previous(back), 0};

@@ -1,4 +1,4 @@
-// The list of all figures: what each shows, and how it is made.
+// The list of all figures. Each entry says what its figure shows, and makes it.
 #pragma once
 
 #include <functional>

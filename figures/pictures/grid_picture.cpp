@@ -20,7 +20,7 @@ Stroke grid_stroke(const Grid& grid) {
 
 Point at(const GridNode& node, double spacing) { return spacing * Point(node.at[0], node.at[1]); }
 
-// In points: the grid unit, and the room for a mesh at a node.
+// The grid unit, and the room for a mesh at a node. All are in points.
 struct Sizes {
   double spacing;
   double width;
@@ -32,15 +32,15 @@ Sizes sizes(theory::PairType type) {
   return {128, 112, 106};
 }
 
-// The half-edge at which the drawing starts. A 3-5 region is drawn as its grid is, with side 1 on the left and side 2
+// The half-edge at which the drawing starts. A 3-5 region lies as its grid does, with side 1 on the left and side 2
 // below.
 mesh::HalfEdgeId lowest_side(const GridNode& node, theory::PairType type) {
   mesh::HalfEdgeId h = node.region.root;
   if (type.symmetric()) return h;
   const std::vector<int> sides = mesh::side_lengths(node.region);
-  int steps = 0;
-  for (int side = 0; side < node.configuration.p; ++side) steps += sides[static_cast<std::size_t>(side) % sides.size()];
-  for (int i = 0; i < steps; ++i) h = node.region.mesh.next_on_boundary(h);
+  int edges = 0;
+  for (int side = 0; side < node.configuration.p; ++side) edges += sides[static_cast<std::size_t>(side) % sides.size()];
+  for (int i = 0; i < edges; ++i) h = node.region.mesh.next_on_boundary(h);
   return h;
 }
 
@@ -112,16 +112,16 @@ Paint paint_dual(const GridFigure& figure) {
     for (const GridEdge& edge : figure.edges) {
       const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
       const Stroke stroke = grid_stroke(figure.grids[static_cast<std::size_t>(from.grid)]);
-      // Radius and angle change evenly, the shorter way round. An edge within a level is an arc; on level 1 of a digon
-      // it is a whole circle.
+      // Along an edge, radius and angle change evenly, by the smaller of the two angles. An edge within a level is an
+      // arc. On level 1 of a digon it is a whole circle.
       const theory::Integer inner = edge.before.d1() + edge.before.d2(), outer = edge.after.d1() + edge.after.d2();
       double first = angle(edge.before), last = angle(edge.after);
       if (inner == outer) {
-        const double step = 2 * std::numbers::pi / (static_cast<double>(inner) * quadrants);
+        const double width = 2 * std::numbers::pi / (static_cast<double>(inner) * quadrants);
         // Labels of neighbouring quadrants differ by whole turns.
         if (last < first) std::swap(first, last);
-        if (last - first > 1.5 * step) std::swap(first, last);
-        canvas.arc(Point::Zero(), kLevel * static_cast<double>(inner), first, first + step, stroke);
+        if (last - first > 1.5 * width) std::swap(first, last);
+        canvas.arc(Point::Zero(), kLevel * static_cast<double>(inner), first, first + width, stroke);
         continue;
       }
       if (edge.before.merged()) first = last;

@@ -27,7 +27,7 @@ using mesh::VertexId;
 
 // --- Figure 6 --------------------------------------------------------------------------------------------------------
 
-// The ring of quads round those that have one of these vertices.
+// The quads next to those that have one of these vertices.
 std::vector<FaceId> ring_round(const QuadMesh& m, const std::vector<VertexId>& vertices) {
   std::vector<bool> inner(static_cast<std::size_t>(m.vertex_capacity()), false);
   for (const VertexId v : vertices) {
@@ -67,7 +67,7 @@ HalfEdgeId direction(const QuadMesh& m, const PairMove& move) {
   return {};
 }
 
-// A column of Figure 6: the region before and after a move, the upper panel `y` high.
+// A column of Figure 6: the region before and after a move. The centre of the upper panel is at (x, y).
 void add_pair_move(Sheet& sheet, const Region& start, const PairMove& move, double x, double y) {
   constexpr double kUnit = 14, kY = -170;
   QuadMesh m = start.mesh;
@@ -90,7 +90,7 @@ void add_pair_move(Sheet& sheet, const Region& start, const PairMove& move, doub
 
 // --- Figure 7 --------------------------------------------------------------------------------------------------------
 
-// Three edges across the middle of the path between the pair, one of them on one side of it and two on the other.
+// Three edges across the path between the pair. Two of them lie on the left of the path and one on the right.
 mesh::FeatureSet feature_across(const QuadMesh& m, const std::vector<HalfEdgeId>& path) {
   const HalfEdgeId across = QuadMesh::next(path[1]);
   const HalfEdgeId back = m.twin(across);
@@ -101,14 +101,14 @@ mesh::FeatureSet feature_across(const QuadMesh& m, const std::vector<HalfEdgeId>
   return features;
 }
 
-// The signature of the region after a move that no feature hinders; "" if the move is refused.
+// The signature of the region after a move on a mesh without features; "" if the move is refused.
 std::string signature_after(const Region& start, const PairMove& move) {
   QuadMesh m = start.mesh;
   return mesh::move_pair(m, move).refusal == mesh::Refusal::none ? mesh::signature(with_mesh(start, m)) : "";
 }
 
-// The fewest operations by which an adjacent 3-5 pair that one of the two sends to the other makes the region with this
-// signature; none if it does not. The editor holds the region's mesh `m`, and holds the same afterwards.
+// The shortest transport of an adjacent 3-5 pair, from one vertex of the pair to the other, that makes the region with
+// this signature. Empty if there is none. `m` is the region's mesh, which the editor edits; it is the same afterwards.
 std::vector<BasicOperation> transport_to(Editor& editor, const QuadMesh& m, const Region& start,
                                          std::array<VertexId, 2> pair, const std::string& wanted) {
   std::vector<BasicOperation> best;
@@ -128,8 +128,8 @@ std::vector<BasicOperation> transport_to(Editor& editor, const QuadMesh& m, cons
   return best;
 }
 
-// The operations of a transport that goes round the features and makes what a move, refused because of them, would have
-// made. Throws std::logic_error if there is none.
+// The operations of a transport round the features. Its result is that of a move which the features do not allow.
+// Throws std::logic_error if there is no such transport.
 std::vector<BasicOperation> detour(const Region& start, const mesh::FeatureSet& features,
                                    std::array<VertexId, 2> pair) {
   QuadMesh m = start.mesh;

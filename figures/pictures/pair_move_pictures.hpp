@@ -1,4 +1,4 @@
-// Figures 6-8: moves of a pair before and after, made by the library on the mesh that is drawn.
+// Figures 6-8: pairs before and after moves, which the library makes on the mesh that is drawn.
 #pragma once
 
 #include "mesh/pictures/canvas.hpp"

@@ -1,4 +1,4 @@
-// A panel: one of several meshes in a figure, with its marks and the words below it.
+// A panel: one of several meshes in a figure, with marks on it and words below it.
 #pragma once
 
 #include "mesh/pictures/mesh_picture.hpp"
@@ -10,8 +10,8 @@ using namespace pictures;
 
 struct Panel {
   mesh::Region region;
-  std::vector<std::string> words = {};  // lines below the mesh
-  std::vector<mesh::FaceId> stay = {};  // strips that stay, pale
+  std::vector<std::string> words = {};  // lines of text below the mesh
+  std::vector<mesh::FaceId> stay = {};  // quads that stay; drawn pale
   std::vector<mesh::FaceId> grey = {};
   std::vector<mesh::FaceId> blue = {};
   std::vector<mesh::FaceId> made = {};
@@ -31,7 +31,7 @@ mesh::Region region_with(theory::PairType type, theory::Integer d1, theory::Inte
 
 inline constexpr Stroke kGreenLine{ink::kGreen, 2.4};
 
-// Draws the panel around `centre` with edges about `unit` points long, turned by an angle in radians, and its words
+// Draws the panel around `centre`, turned by an angle in radians. Edges are about `unit` points long, and letters are
 // `text` points high.
 void paint_panel(Canvas& canvas, const Panel& panel, Point centre, double unit, double angle = 0, double text = 10);
 

@@ -25,12 +25,12 @@ void triangle(Canvas& canvas, Point at, bool convex) {
       convex ? ink::kBlue : ink::kRed, Stroke{ink::kBlack, 0.5});
 }
 
-// The path from h on that goes straight on for 's', left for 'l' and right for 'r' at each vertex.
-std::vector<HalfEdgeId> path_of(const QuadMesh& m, HalfEdgeId h, const std::string& steps) {
+// The path that starts with h. At each vertex it goes straight on for 's', left for 'l' and right for 'r'.
+std::vector<HalfEdgeId> path_of(const QuadMesh& m, HalfEdgeId h, const std::string& turns) {
   std::vector<HalfEdgeId> path{h};
-  for (const char step : steps) {
+  for (const char turn : turns) {
     const HalfEdgeId left = QuadMesh::next(path.back());
-    path.push_back(step == 'l' ? left : step == 's' ? m.cw(left) : m.cw(m.cw(left)));
+    path.push_back(turn == 'l' ? left : turn == 's' ? m.cw(left) : m.cw(m.cw(left)));
   }
   return path;
 }
@@ -121,7 +121,7 @@ Paint paint_separatrices() {
         const auto path = mesh::trace(m, h).path;
         picture.path(canvas, path, kGreenLine);
         stars.push_back(picture.at(m.target(path.back())));
-        // Beside the last edge but one, clear of the line.
+        // The text lies beside the middle edge of the separatrix, clear of the line.
         const HalfEdgeId at = path[path.size() / 2];
         const Point from = picture.at(m.origin(at)), to = picture.at(m.target(at));
         const Point along = (to - from).normalized();
@@ -143,15 +143,15 @@ Paint paint_separatrices() {
         const Point out = (picture.at(v) - centre).normalized();
         canvas.text(picture.at(v) + 13 * Point(out.y(), -out.x()) - Point(0, 4), name, 11);
       }
-      // Sides: corners and lengths.
+      // The sides: their corners and lengths.
       const std::vector<int> sides = mesh::side_lengths(region);
       const Point page = (picture.low() + picture.high()) / 2;
       HalfEdgeId h = region.root;
       for (std::size_t side = 0; side < sides.size(); ++side) {
         triangle(canvas, picture.at(m.origin(h)), true);
-        const auto on_side = [&](int steps) {
+        const auto on_side = [&](int edges) {
           HalfEdgeId g = h;
-          for (int i = 0; i < steps; ++i) g = m.next_on_boundary(g);
+          for (int i = 0; i < edges; ++i) g = m.next_on_boundary(g);
           return picture.at(m.origin(g));
         };
         const int length = sides[side];

@@ -24,21 +24,21 @@ struct Sheet {
 };
 Paint paint(const Sheet& sheet);
 
-// Throws std::logic_error, with the reason, unless the operation of a figure was performed.
+// Throws std::logic_error with the reason if the operation of a figure was refused.
 void require_performed(mesh::Refusal refusal);
 
-// The vertex of this valence. Throws std::logic_error if the mesh has no irregular one of it.
+// An irregular vertex of this valence. Throws std::logic_error if the mesh has none.
 mesh::VertexId irregular_vertex(const mesh::QuadMesh& mesh, int valence);
 
-// A region after operations on its mesh, which may have renumbered the root.
+// The region after operations on its mesh, which may have changed the id of the root.
 mesh::Region with_mesh(const mesh::Region& before, const mesh::QuadMesh& after);
 
-// What basic operations do to a region.
+// The effect of basic operations on a region.
 struct RegionChange {
   mesh::Region after;
   std::vector<mesh::FaceId> made;        // faces of `after`
   std::vector<mesh::FaceId> deleted;     // faces of the region before
-  std::vector<mesh::VertexId> reshaped;  // vertices with other valences, removed ones included
+  std::vector<mesh::VertexId> reshaped;  // vertices whose valence changed, removed ones included
 };
 // Throws as require_performed().
 RegionChange perform_all(const mesh::Region& region, const std::vector<mesh::BasicOperation>& operations);

@@ -40,7 +40,7 @@ std::string step_text(const mesh::TransportStep& step) {
   return std::string(mesh::name(step.kind)) + (step.hand == mesh::Hand::left ? ", left hand" : ", right hand");
 }
 
-// What an atomic operation makes of a region: the panel after it, and the face that it removes, if any.
+// The result of an atomic operation on a region: the panel after it, and the face that it removes, if any.
 struct AtomicResult {
   Panel after;
   FaceId removed;
@@ -55,7 +55,7 @@ AtomicResult perform_atomic(const Region& start, const mesh::AtomicOperation& op
   return result;
 }
 
-// The atomic operations that a vertex of a region has by its valences, refused ones included.
+// The atomic operations that a vertex of a region has according to the valences, refused ones included.
 std::vector<mesh::AtomicOperation> operations_at(const Region& start, VertexId v) {
   QuadMesh m = start.mesh;
   const Editor editor(m);
@@ -64,7 +64,7 @@ std::vector<mesh::AtomicOperation> operations_at(const Region& start, VertexId v
   return result;
 }
 
-// The half-edge to the neighbour that is drawn highest, when the region is turned by an angle.
+// The half-edge to the neighbour that is drawn highest if the region is turned by this angle.
 HalfEdgeId upwards(const Region& region, VertexId v, double angle) {
   const MeshPicture probe(region, Point::Zero(), 1, angle);
   const auto height = [&](HalfEdgeId h) { return probe.at(region.mesh.target(h)).y(); };
@@ -75,7 +75,7 @@ HalfEdgeId upwards(const Region& region, VertexId v, double angle) {
   return up;
 }
 
-// A row of Figure 4: the vertex of this valence before, and after each of its moves upwards.
+// A row of Figure 4: the vertex of this valence before its moves upwards, and after each of them.
 void add_vertex_moves(Sheet& sheet, const Region& start, int valence, AtomicKind kind, double y, double unit,
                       const char* words) {
   constexpr double kX = 168;

@@ -1,4 +1,4 @@
-// Figures 3-5: the atomic operations before and after, performed by the library on the mesh that is drawn.
+// Figures 3-5: meshes before and after atomic operations, which the library performs on the mesh that is drawn.
 #pragma once
 
 #include "mesh/pictures/canvas.hpp"
