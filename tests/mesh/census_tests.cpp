@@ -54,8 +54,8 @@ TEST_CASE("the census of small regions has what it says", "[census]") {
     REQUIRE(tests::irregular_valences(small.region.mesh) == valences);
     REQUIRE(seen.insert(signature(small.region)).second);
   }
-  // Side lengths by hand: two strips round an adjacent 3-5 pair, whose edge runs along the side of the v3 and along one of
-  // the v5's; and a star of five.
+  // Side lengths by hand: two strips round an adjacent 3-5 pair, whose edge runs along the side of the v3 and along one
+  // of the v5's; and a star of five.
   CHECK(side_lengths(tests::pair_region({3, 5, 1, 0}, {2, 2, 2, 2})) == std::vector<int>{5, 4, 4, 5});
   CHECK(side_lengths(tests::star({1, 2, 3, 4, 5})) == std::vector<int>{7, 4, 6, 8, 5});
 }

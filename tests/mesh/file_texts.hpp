@@ -1,4 +1,4 @@
-// What the tests of files share.
+// Texts and helpers for the tests of files.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace requad::tests {
 // The vertices of an OBJ file that has one quad.
 inline const std::string kFourVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-// What the reader says of a text, as "line: reason"; "" if it is read.
+// The message by which the reader refuses a text, as "line: reason"; "" if it accepts the text.
 template <class Parse>
 std::string complaint(const Parse& parse, const std::string& text) {
   try {

@@ -1,4 +1,4 @@
-// Where atomic operations are tried: regions of regular quads round one vertex or one pair.
+// Regions in which atomic operations are tested: regular quads round one vertex or one pair.
 #pragma once
 
 #include <set>
@@ -10,19 +10,20 @@
 
 namespace requad::tests {
 
-// One vertex of this valence in the middle of a region that is regular otherwise, four quads from every side.
+// A vertex of this valence in the middle of a region, four quads from every side. All other vertices are regular.
 mesh::Region neighbourhood(int valence);
-// An adjacent 3-5 pair in the middle of a region that is regular otherwise.
+// An adjacent 3-5 pair in the middle of a region. All other vertices are regular.
 mesh::Region pair_neighbourhood();
 
-// The irregular vertex of this valence. For valence 4: a vertex whose neighbours have no neighbour on the boundary.
+// The irregular vertex of this valence. For valence 4, a vertex whose neighbours have no neighbour on the boundary.
 mesh::VertexId vertex_of(const mesh::QuadMesh& mesh, int valence);
-// The signature from the boundary vertex at which the region has its root. Precondition: the mesh has the region's boundary.
+// The signature of the mesh, rooted at the boundary vertex where the region has its root. Precondition: the mesh has
+// the region's boundary.
 std::string rel_boundary(const mesh::QuadMesh& mesh, const mesh::Region& region);
 
-// Every legal basic operation that changes no valence on the boundary, each once up to names.
+// All legal basic operations that change no valence on the boundary, each once up to names.
 std::vector<mesh::BasicOperation> exhausted(const mesh::QuadMesh& mesh);
-// Of the irregular vertices.
+// The valences of the irregular vertices.
 std::multiset<int> sorted_valences(const mesh::QuadMesh& mesh);
 
 }  // namespace requad::tests

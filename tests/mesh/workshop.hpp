@@ -1,4 +1,4 @@
-// What the tests of edit scripts share: a surface with an editor on a copy of it, edited at random.
+// Helpers for the tests of edit scripts: a surface, and an editor that makes random edits on a copy of it.
 #pragma once
 
 #include <random>
@@ -10,7 +10,7 @@
 
 namespace requad::tests {
 
-// A surface with an editor on a copy of it.
+// A surface, and an editor on a copy of it.
 struct Workshop {
   mesh::Surface input;
   mesh::QuadMesh m;
@@ -23,17 +23,17 @@ struct Workshop {
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  // Makes so many legal operations at random. Every twentieth is followed by a vertex that is placed, sometimes at -0,
-  // every hundredth by smoothing.
+  // Performs this many random legal operations. After every twentieth a vertex is placed, sometimes at -0. After every
+  // hundredth some vertices are smoothed.
   void edit(int operations, std::mt19937& random);
   mesh::Script record() const;
 };
 
 // The surface of an OBJ text.
 mesh::Surface read_back(const std::string& text);
-// A torus that is a little crooked and has no symmetry.
+// A torus with random positions, so that it has no symmetry.
 mesh::Surface crooked_torus(int columns, int rows);
-// Whether every vertex of the mesh has the same position in both, to the last bit.
+// Whether every vertex of the mesh has the same position in `a` and `b`, to the last bit.
 bool same_positions(const mesh::QuadMesh& mesh, const mesh::Positions& a, const mesh::Positions& b);
 
 // The text with the first occurrence of `what` replaced. Fails the test if there is none.

@@ -12,7 +12,7 @@ std::atomic<std::int64_t> allocated{0};
 
 }  // namespace
 
-// ThreadSanitizer brings operators of its own; the tests of costs fail there, and are left out.
+// ThreadSanitizer has its own operators. The tests of costs fail there, so they are left out.
 #if !REQUAD_THREAD_SANITIZER
 namespace {
 

@@ -5,7 +5,7 @@
 
 namespace requad::tests {
 
-// So far, by operator new in all its forms but the aligned ones; in all threads.
+// The number of allocations so far, in all threads, by every form of operator new except the aligned ones.
 std::int64_t allocations();
 
 }  // namespace requad::tests

@@ -88,7 +88,8 @@ Browser::Browser(const std::string& program) {
   process_ = fork();
   REQUIRE(process_ >= 0);
   if (process_ == 0) {
-    // The protocol: commands on descriptor 3, answers on 4. Out of the way first, so that neither overwrites the other.
+    // Commands come on descriptor 3, and answers go to 4. Both are moved away first, so that neither overwrites the
+    // other.
     const int in = fcntl(commands[0], F_DUPFD, 10);
     const int out = fcntl(answers[1], F_DUPFD, 10);
     const int nowhere = ::open("/dev/null", O_RDWR);
@@ -118,7 +119,7 @@ Browser::~Browser() {
     session_.clear();
     send({{"id", ++next_id_}, {"method", "Browser.close"}});
   } catch (...) {
-    // The end of the process is what matters.
+    // A failure here does not matter: the process is ended below.
   }
   const auto start = Clock::now();
   while (waitpid(process_, nullptr, WNOHANG) == 0) {
@@ -207,7 +208,7 @@ json Browser::call(const std::string& method, const json& parameters) {
 }
 
 void Browser::open(const std::string& path, const std::string& fragment) {
-  // A fragment alone would not load the page again.
+  // If only the fragment changed, the page would not be loaded again.
   call("Page.navigate", {{"url", "about:blank"}});
   const json answer = call("Page.navigate", {{"url", "file://" + path + (fragment.empty() ? "" : "#" + fragment)}});
   INFO(answer.dump());
@@ -295,7 +296,7 @@ void Browser::screenshot(const std::string& path) {
 }
 
 std::vector<std::string> Browser::complaints() {
-  evaluate("new Promise((done) => setTimeout(done, 50))");  // what is on its way arrives before the answer
+  evaluate("new Promise((done) => setTimeout(done, 50))");  // pending messages arrive before the answer
   return std::exchange(complaints_, {});
 }
 

@@ -1,5 +1,5 @@
-// A headless Chromium that tests drive as a person would: real clicks and keys, through the DevTools protocol on a
-// pipe.
+// A headless Chromium that tests operate like a person, by real clicks and keys. Commands go through the DevTools
+// protocol on a pipe.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace requad::tests {
 
-// Where Chromium is: REQUAD_CHROMIUM, or on the path as chromium, chromium-browser or google-chrome. Nothing, and a
-// warning that the test was skipped, if there is none; a failure if REQUAD_REQUIRE_CHROMIUM is set, as tests/run does.
+// The path of Chromium: REQUAD_CHROMIUM, or that of chromium, chromium-browser or google-chrome. If there is none,
+// warns that the test is skipped, or fails the test if REQUAD_REQUIRE_CHROMIUM is set, as it is by tests/run.
 std::optional<std::string> chromium();
 
 class Browser {
@@ -28,23 +28,23 @@ class Browser {
   nlohmann::json evaluate(const std::string& expression);
   // Whether an expression becomes true within some seconds.
   bool wait(const std::string& expression, double seconds = 20);
-  // One key: "ArrowUp", "Tab", "Enter", "Shift+ArrowLeft", ...
+  // Presses a key: "ArrowUp", "Tab", "Enter", "Shift+ArrowLeft", ...
   void press(const std::string& combination);
-  // The left button, or a finger, on the middle of the element that a JavaScript expression names.
+  // Clicks the left button, or taps, on the middle of the element that a JavaScript expression names.
   void click(const std::string& element);
   void set_size(int width, int height, bool phone);
   void set_reduced_motion(bool reduced);
   void set_dark(bool dark);
-  // The page as a PNG, for a person to look at.
+  // Writes the page as a PNG, for a person to look at.
   void screenshot(const std::string& path);
 
-  // Errors on the console, uncaught exceptions, and requests to anything but the file itself, since the last call.
+  // What went wrong since the last call: errors on the console, uncaught exceptions, and requests for other files.
   std::vector<std::string> complaints();
 
  private:
   nlohmann::json call(const std::string& method, const nlohmann::json& parameters = nlohmann::json::object());
   void send(const nlohmann::json& message);
-  // The next message; an empty object if there is none in time.
+  // The next message, or an empty object if none comes within this time.
   nlohmann::json receive(double seconds);
   void note(const nlohmann::json& event);
   void set_media();

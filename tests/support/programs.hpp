@@ -1,4 +1,4 @@
-// Calls the programs from outside, in a folder of their own; and real meshes, where there are some.
+// Calls the programs from outside, in a folder for this test run. Also finds real meshes.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ struct Outcome {
   std::string err;
 };
 
-// requad-PROGRAM with these arguments, as a shell would take them, in the folder scratch().
+// Runs requad-PROGRAM in the folder scratch(). A shell splits the arguments.
 Outcome call(const std::string& program, const std::string& arguments);
 
-// Starts it likewise, and kills it (SIGKILL) as soon as this file in scratch() has so many lines. Whether that is how
-// it ended: false if it was done before.
+// Starts the program likewise, and kills it (SIGKILL) as soon as this file in scratch() has this many lines. Returns
+// whether the program was killed: false if it ended earlier.
 bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,
                     std::size_t lines);
 
@@ -28,8 +28,8 @@ std::string slurp(const std::filesystem::path& path);
 std::size_t line_count(const std::string& text);
 void spill(const std::filesystem::path& path, const std::string& text);
 
-// A mesh of the collection in the folder REQUAD_MESH_DIR, or ../shared/meshes from the project's root; nothing, and a
-// warning that the test was skipped, if there is none. The collection's README has the numbers that tests expect.
+// The path of a mesh in the folder REQUAD_MESH_DIR, or ../shared/meshes from the project's root. If there is none,
+// warns that the test is skipped. The README of that folder has the numbers that tests expect.
 std::optional<std::string> real_mesh(const std::string& name);
 
 }  // namespace requad::tests

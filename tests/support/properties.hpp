@@ -1,6 +1,6 @@
-// Properties of what is drawn at random (RapidCheck). What a run draws follows from a seed, which is a constant here
-// and can be set from outside. A failing run shrinks what it drew, prints it, and prints RC_PARAMS="reproduce=...",
-// which runs that very case again:
+// Properties that are tested on random cases (RapidCheck). The seed is a constant here, and can be set from outside. A
+// run that fails shrinks its case, prints it, and prints RC_PARAMS="reproduce=...", which repeats this case. The seed
+// and the number of cases are set by:
 //
 //   RC_PARAMS="seed=7 max_success=10000" build/tests/programs/requad-programs-tests "[properties]"
 #pragma once
@@ -15,12 +15,13 @@
 
 namespace requad::tests {
 
-// RapidCheck prints the case and how to repeat it; Catch counts the failure. The property is tried on so many cases, or
-// on as many as RC_PARAMS asks for.
+// Tests the property on this many cases, or on as many as RC_PARAMS asks for. RapidCheck prints a case that fails and
+// how to repeat it. Catch counts the failure.
 template <class Property>
 void holds(const std::string& what, const Property& property, int cases = 500) {
   using namespace rc::detail;
-  // rc::check() reads RC_PARAMS once, so that all properties of a process would be tried on as many cases as the first.
+  // rc::check() is not used: it reads RC_PARAMS once, so all properties of a process would get the same number of
+  // cases.
   static const char* const asked = std::getenv("RC_PARAMS");
   if (asked == nullptr) setenv("RC_PARAMS", "seed=2011", 1);
   Configuration defaults;

@@ -1,5 +1,5 @@
-// What a test must know of the build: a sanitizer takes terabytes of addresses, and ThreadSanitizer has an operator new
-// of its own. GCC and clang say it in different ways.
+// Whether a sanitizer is on. Some tests must know: a sanitizer takes terabytes of addresses, and ThreadSanitizer has
+// its own operator new. GCC and clang define different macros.
 #pragma once
 
 #if defined(__has_feature)

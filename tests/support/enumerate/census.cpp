@@ -20,7 +20,7 @@ bool is_least_rotation(const Sides& sides) {
   return true;
 }
 
-// Every sequence of k positive integers with this sum that is the least of its rotations.
+// All sequences of k positive integers with this sum, each only as the least of its rotations.
 void for_each_sides(int k, Integer perimeter, const std::function<void(const Sides&)>& visit, const Sides& first = {}) {
   const int rest = k - static_cast<int>(first.size());
   if (rest == 0) {

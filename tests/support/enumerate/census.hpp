@@ -10,14 +10,14 @@
 
 namespace requad::tests {
 
-// One region with a pair, as the census lists it.
+// One entry of the census: a region with a pair.
 struct CensusEntry {
   theory::RegionShape shape;
   theory::Configuration configuration;
   mesh::Region region;
 };
-// Every configuration of every convex digon, hexagon and 3-5 region of perimeter up to this, each region once up to
-// rotation, merged configurations included if asked for. By glue_region().
+// Every configuration of every convex digon, hexagon and 3-5 region up to this perimeter, made by glue_region(). Each
+// region occurs once up to rotation. Merged configurations are included if they are asked for.
 std::vector<CensusEntry> census(int perimeter, bool with_merged);
 
 }  // namespace requad::tests

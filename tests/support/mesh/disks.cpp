@@ -35,7 +35,7 @@ std::vector<Region> small_disks(int perimeter, int faces) {
   std::set<std::string> known;
   const auto add = [&](const QuadMesh& m, VertexId root) {
     if (m.face_count() > faces || !known.insert(signature(m, m.out(root))).second) return;
-    // Without gaps: signatures number the elements in an order of their own.
+    // from_signature() gives a mesh without free ids.
     found.push_back(mesh::from_signature(signature(m, m.out(root))));
   };
   const Region start = grid(perimeter / 2 - 1, 1);

@@ -1,4 +1,4 @@
-// What a drawing of a region must be, looked at by other means than mesh/geometry/drawing.hpp does.
+// Checks drawings of regions, by other means than mesh/geometry/drawing.hpp.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace requad::tests {
 
-// Of a simple polygon; positive if it is counter-clockwise.
+// The area of a simple polygon; positive if the polygon is counter-clockwise.
 double area(const std::vector<Eigen::Vector2d>& polygon);
 
-// Draws the region and fails the test unless the boundary is outline(), no quad is turned over or lies on another, and
-// every angle's sine is more than this. The areas of the quads are all positive and add up to that of the boundary; an
-// angle of less than 180 degrees is told by the sign of its turn.
+// Draws the region. Fails the test unless the boundary is outline(), no quad is turned over or lies on another one, and
+// the sine of every angle is larger than this. To exclude overlaps, it compares the sum of the quads' areas, all of
+// them positive, with the area of the boundary. The sign of the turn at a corner tells angles below 180 degrees from
+// others.
 void check_drawing(const mesh::Region& region, double least_sine);
 
 }  // namespace requad::tests

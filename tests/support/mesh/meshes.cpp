@@ -82,7 +82,7 @@ std::array<int, 4> corners_from(const QuadMesh& m, HalfEdgeId h) {
 
 FaceList flipped(const QuadMesh& m, HalfEdgeId h, mesh::Rotation rotation) {
   FaceList faces = face_list(m);
-  // Hexagon u r s v p q, the edge u-v inside.
+  // The hexagon is u r s v p q, and the edge u-v lies inside it.
   const auto [u, v, p, q] = corners_from(m, h);
   const auto other = corners_from(m, m.twin(h));
   const int r = other[2];
@@ -128,7 +128,7 @@ std::vector<int> boundary_cycle(const QuadMesh& m) {
 }
 
 LegalResult is_legal_result(const QuadMesh& before, const FaceList& faces, int vertices, int gone) {
-  // Close the gap that a removed vertex leaves, remembering names.
+  // Closes the gap that a removed vertex leaves, and remembers the names.
   std::vector<int> name(static_cast<std::size_t>(vertices));
   std::vector<int> old;
   for (int v = 0; v < vertices; ++v) {

@@ -1,4 +1,5 @@
-// Meshes for tests, relabelled, operated on at random, and the basic operations as surgery on face lists. Knows mesh/ alone.
+// Meshes for tests: generated, relabelled, and changed by random operations. Also the basic operations as surgery on
+// face lists. Includes only mesh/.
 #pragma once
 
 #include <array>
@@ -21,11 +22,11 @@ struct Relabelled {
 Relabelled relabel(const mesh::QuadMesh& mesh, std::mt19937& random);
 mesh::BasicOperation renamed(const mesh::BasicOperation& operation, const Relabelled& by);
 
-// One that may be illegal, or name an element that was removed; all kinds are alike likely.
+// A random operation; all kinds are equally likely. It may be illegal, and it may name an element that was removed.
 mesh::BasicOperation random_operation(const mesh::QuadMesh& mesh, std::mt19937& random);
 
-// Face lists over the vertex ids of a mesh without gaps, and the three operations on them as their definitions say, with
-// no half-edges: the independent side of the operation tests. The caller judges the result by is_legal_result().
+// The independent side of the operation tests: face lists over the vertex ids of a mesh without gaps, and the three
+// operations on such lists according to their definitions, without half-edges. is_legal_result() judges the result.
 using FaceList = std::vector<std::array<int, 4>>;
 FaceList face_list(const mesh::QuadMesh& mesh);
 FaceList flipped(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h, mesh::Rotation rotation);
@@ -33,16 +34,16 @@ FaceList collapsed(const mesh::QuadMesh& mesh, mesh::HalfEdgeId h);
 FaceList split(const mesh::QuadMesh& mesh, const std::vector<mesh::FaceId>& sector, mesh::HalfEdgeId first,
                mesh::HalfEdgeId last);
 
-// Whether the faces are a simple, manifold mesh on all of `vertices` (without `gone`, if >= 0) that has the boundary
-// cycle and the Euler characteristic of `before`. The mesh itself, if so.
+// Whether the faces form a simple, manifold mesh with the boundary cycle and the Euler characteristic of `before`. The
+// mesh must have all vertices from 0 to `vertices` - 1, except `gone` if that is not negative.
 struct LegalResult {
   bool legal = false;
   mesh::QuadMesh mesh;
-  std::vector<int> name;  // of each vertex in `mesh`, the gap closed
+  std::vector<int> name;  // the id of each vertex in `mesh`, where the gap is closed
 };
 LegalResult is_legal_result(const mesh::QuadMesh& before, const FaceList& faces, int vertices, int gone);
 
-// The boundary as a cycle of vertices, from the least one.
+// The boundary as a cycle of vertices that starts with the least one.
 std::vector<int> boundary_cycle(const mesh::QuadMesh& mesh);
 
 // A torus of columns x rows quads, and the sphere of the cube.
@@ -51,9 +52,9 @@ mesh::QuadMesh cube();
 // A regular grid of columns x rows quads, with its root at a corner.
 mesh::Region grid(int columns, int rows);
 
-// Of every vertex slot, in the cube [-1, 1)^3.
+// A random position in the cube [-1, 1)^3 for every vertex slot.
 mesh::Positions random_positions(const mesh::QuadMesh& mesh, std::mt19937& random);
-// How many irregular vertices there are of each valence.
+// The number of irregular vertices of each valence.
 std::map<int, int> irregular_valences(const mesh::QuadMesh& mesh);
 
 }  // namespace requad::tests

@@ -15,7 +15,7 @@ using mesh::Region;
 
 namespace {
 
-// Quads, and the sides of the disk that they are: vertices counter-clockwise, corners in both neighbours.
+// The quads of a disk, and its sides: the vertices of each side counter-clockwise. A corner belongs to both its sides.
 struct Growth {
   int vertices = 0;
   std::vector<std::array<int, 4>> faces;
@@ -26,7 +26,7 @@ struct Growth {
                            [](int sum, const auto& side) { return sum + static_cast<int>(side.size()) - 1; });
   }
 
-  // Cuts the closed walk into sides at its corners.
+  // Cuts the closed path `walk` into sides at its corners.
   void set_boundary(const std::vector<int>& walk, const std::vector<std::size_t>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       std::vector<int> side;
@@ -36,8 +36,8 @@ struct Growth {
     }
   }
 
-  // A ring of quads round the closed walk, which goes counter-clockwise round a core: one at each edge, and `extra` of
-  // them at each vertex between the two at its edges.
+  // Adds a ring of quads round the closed path `walk`, which runs counter-clockwise round a core. Each edge of the path
+  // gets one quad. Each vertex gets `extra` quads more, between those of its two edges.
   void add_ring(const std::vector<int>& walk, const std::vector<int>& extra) {
     std::vector<int> outer;
     std::vector<std::size_t> corners, first_spoke, last_spoke;
@@ -60,7 +60,7 @@ struct Growth {
     set_boundary(outer, corners);
   }
 
-  // One more layer of quads along a side.
+  // Adds a strip of quads along a side.
   void add_strip(std::size_t i) {
     const std::size_t k = sides.size();
     const std::vector<int> inner = sides[i];
@@ -113,14 +113,14 @@ Growth small_pair(const PairShape& shape) {
     for (int i = 0; i < a; ++i) {
       for (int j = 0; j < b; ++j) g.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
-    const auto step = [&](int i, int j, int corner) {
+    const auto pass = [&](int i, int j, int corner) {
       walk.push_back(at(i, j));
       extra.push_back(corner);
     };
-    for (int i = 0; i < a; ++i) step(i, 0, i == 0 ? l1 - 3 : 0);
-    for (int j = 0; j < b; ++j) step(a, j, j == 0 ? 1 : 0);
-    for (int i = a; i > 0; --i) step(i, b, i == a ? l2 - 3 : 0);
-    for (int j = b; j > 0; --j) step(0, j, j == b ? 1 : 0);
+    for (int i = 0; i < a; ++i) pass(i, 0, i == 0 ? l1 - 3 : 0);
+    for (int j = 0; j < b; ++j) pass(a, j, j == 0 ? 1 : 0);
+    for (int i = a; i > 0; --i) pass(i, b, i == a ? l2 - 3 : 0);
+    for (int j = b; j > 0; --j) pass(0, j, j == b ? 1 : 0);
   }
   g.add_ring(walk, extra);
   return g;
@@ -133,7 +133,7 @@ Region with_strips(Growth growth, const std::vector<int>& strips) {
   return growth.region(0);
 }
 
-// The growth itself, and all that come of it by further strips along the sides from `side` on.
+// Visits this growth, and all those that further strips along the sides from `side` on make of it.
 void for_each_grown(const Growth& growth, int perimeter, std::size_t side,
                     const std::function<void(const Growth&)>& visit) {
   if (growth.perimeter() > perimeter) return;

@@ -1,4 +1,4 @@
-// Vectors of integers, written out as lists.
+// Vectors of integers from lists.
 #pragma once
 
 #include <algorithm>
