@@ -1,5 +1,5 @@
-// Atomic operations (section 5): every operation that is listed, at every vertex and along every edge of small regions,
-// against the paper's statement, which is written out here by hand.
+// Atomic operations (section 5): every listed operation is performed, at every vertex and along every edge of small
+// regions, and compared with the paper's statement. The statement is written out here by hand.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -26,12 +26,12 @@ namespace {
 using StepKind = TransportStep::Kind;
 using Valences = std::multiset<int>;
 
-// What section 5 and Figures 3 to 5 say of the vertices that an operation of a kind and way changes, with all of them
-// regular but for the ones that it is about. By hand from the law of section 4.
+// The valences that an operation changes, according to section 5 and Figures 3 to 5, if all vertices are regular except
+// those that the operation is about. Worked out by hand from the law of section 4.
 struct Stated {
   Valences before;
   Valences after;
-  std::string inverse;  // its kind and way
+  std::string inverse;  // kind and step of the inverse
 };
 const std::map<std::string, Stated> kStated{
     {"move-35 collapse", {{3, 4, 4, 5}, {3, 4, 5}, "move-35 split"}},
@@ -56,7 +56,8 @@ struct AtomicTally {
   std::map<Refusal, int> refused;
 };
 
-// One operation: exactly the valence changes stated, and an inverse that restores the mesh, whose inverse is it again.
+// Checks one operation. It changes exactly the stated valences, and its inverse restores the mesh. The inverse of the
+// inverse is the operation.
 void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally& tally) {
   const QuadMesh& before = region.mesh;
   const AtomicOperation& op = choice.operation;
@@ -71,7 +72,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   if (choice.refusal != Refusal::none) {
     REQUIRE(m == before);
     REQUIRE(editor.mark() == 0);
-    // A step of a pair that is none of its kinds is told of as a move.
+    // A step of a pair that has none of the three kinds is reported as a move.
     const bool no_kind =
         choice.refusal == EditRefusal::touches_boundary || choice.refusal == EditRefusal::irregular_in_the_way;
     const bool of_pair = rule(op.name.kind).valences[0] == 3 && rule(op.name.kind).valences[1] == 5;
@@ -83,7 +84,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   REQUIRE(editor.mark() == 1);
   REQUIRE(validate(m).empty());
 
-  // The report tells of every vertex whose valence changed, and of no other but a collapse's or split's own.
+  // The report has every vertex whose valence changed. The only other vertices in it are those of a collapse or split.
   const int capacity = std::max(before.vertex_capacity(), m.vertex_capacity());
   constexpr std::array<int, 2> kNothing{-1, -1};
   std::vector<std::array<int, 2>> told(static_cast<std::size_t>(capacity), kNothing);
@@ -108,7 +109,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   const auto at = [&](VertexId x) { return m.is_live(x) ? m.valence(x) : 0; };
   std::string inverse;
   if (op.name.kind == AtomicKind::raise) {
-    // Figure 5a: V and the opposite corner c of the face become one of valence l(V) + l(c) - 2.
+    // Figure 5a: V and the opposite corner c of the face become one vertex of valence l(V) + l(c) - 2.
     const bool left = op.name.step.hand == Hand::left;
     const HalfEdgeId h = left ? op.along : before.next(before.twin(op.along));
     const VertexId c = before.target(before.next(h));
@@ -120,7 +121,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
     REQUIRE(report.changes.size() == 4);
     inverse = "lower split";
   } else if (op.name.kind == AtomicKind::lower) {
-    // Figure 5b: K - 1 edges strictly between the path's on the hand go to the new vertex.
+    // Figure 5b: the K - 1 edges on that hand, strictly between the two edges of the path, go to the new vertex.
     const int rest = before.valence(v) - 1 - op.name.turn;
     const VertexId made = report.changes.back().vertex;
     REQUIRE(report.changes.size() == 4);
@@ -137,7 +138,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
     REQUIRE(changed_before == stated.before);
     REQUIRE(changed_after == stated.after);
     inverse = stated.inverse;
-    // A pair that is moved or generated is adjacent; what moves, moves by the edge it is said to move along.
+    // A pair that was moved or generated is adjacent. A vertex moves along the edge that the operation names.
     if (op.name.kind == AtomicKind::move_v3) REQUIRE((at(v) != 3 && at(w) == 3));
     if (op.name.kind == AtomicKind::move_v5) REQUIRE((at(v) == (op.swapped ? 3 : 4) && at(w) == 5));
     if (inverse.rfind("move-35", 0) == 0 || inverse.rfind("remove", 0) == 0) {
@@ -160,7 +161,7 @@ void check_choice(const Region& region, const AtomicChoice& choice, AtomicTally&
   if (!(m == after)) REQUIRE(rel_boundary(m, region) == rel_boundary(after, region));
 }
 
-// Every operation at every vertex and along every edge, and each with the other choice of names.
+// Checks every operation at every vertex and along every edge, with both choices of names.
 void check_everywhere(const Region& region, AtomicTally& tally) {
   INFO("on " << signature(region));
   const QuadMesh& m = region.mesh;
@@ -207,8 +208,8 @@ TEST_CASE("atomic names are read as they are written", "[atomic]") {
       }
     }
   }
-  // 6 moves of a pair, 4 of a v3, a v5 and their removals each, 2 flips that make and 2 that remove 3-3-5-5, 2 raises,
-  // and lowers by 10 values of K on 2 hands.
+  // There are 6 moves of a pair. There are 4 moves each of a v3 and of a v5, and 4 removals each at a v3 and at a v5.
+  // Two flips make 3-3-5-5, and two remove it. There are 2 raises, and 10 values of K for a lower on each of 2 hands.
   CHECK(names.size() == 6 + 4 * 4 + 2 * 2 + 2 + 2 * 10);
   CHECK(names.count("move-v3 flip left") == 1);
   CHECK(names.count("lower split right 3") == 1);
@@ -231,7 +232,7 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   }
   check_everywhere(pair_neighbourhood(), tally);
   ++regions;
-  // Where the removals are: one generation away.
+  // Removals are possible after one generation of irregular vertices.
   for (const int valence : {3, 4, 5}) {
     const Region start = neighbourhood(valence);
     QuadMesh m = start.mesh;

@@ -1,4 +1,4 @@
-// Atomic operations that are refused, those that features forbid, and requad-edit atomic from outside.
+// Atomic operations that are refused, atomic operations near features, and requad-edit atomic from outside.
 #include <map>
 #include <set>
 
@@ -17,7 +17,7 @@ using requad::tests::neighbourhood;
 using requad::tests::vertex_of;
 
 TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
-  // Beside the boundary.
+  // Operations beside the boundary.
   Region grid = tests::grid(3, 3);
   Editor on_grid(grid.mesh);
   const VertexId corner(0), inner(5);  // (0,0) and (1,1)
@@ -35,7 +35,7 @@ TEST_CASE("atomic operations are refused with the reason", "[atomic]") {
   REQUIRE(middle.valid());
   CHECK(plan(on_grid, {flip, middle}).refusal == EditRefusal::touches_boundary);
 
-  // Not what the name is about.
+  // The vertices do not have the valences that the name requires.
   Region region = neighbourhood(3);
   QuadMesh& m = region.mesh;
   const QuadMesh before = m;

@@ -1,4 +1,4 @@
-// Atomic operations against section 5 of the paper: what is listed is what exhausting the basic operations finds.
+// Atomic operations compared with section 5 of the paper. The listed operations are compared with all basic operations.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -31,9 +31,9 @@ std::size_t count(const std::vector<AtomicChoice>& list, AtomicKind kind) {
 
 }  // namespace
 
-TEST_CASE("section 5: a v3 moves in three directions, each by two collapses and two flips", "[atomic]") {
-  // And a v5 in five, each by two splits and two flips. The operations and what they make are those that exhausting all
-  // basic operations finds.
+TEST_CASE("section 5: a v3 moves in three directions, a v5 in five, each by four operations", "[atomic]") {
+  // The four are two flips, and two collapses for a v3 or two splits for a v5. A search through all basic operations
+  // finds the same operations and the same results.
   for (const int valence : {3, 5}) {
     const Region region = neighbourhood(valence);
     QuadMesh m = region.mesh;
@@ -101,12 +101,12 @@ TEST_CASE("section 5: an adjacent 3-5 pair moves in six directions", "[atomic]")
     for (const auto& [way, results] : listed) CHECK(results.size() == 2);
     CHECK(listed.size() == 3);
   }
-  // At either vertex of the pair the same six are listed.
+  // The same six operations are listed at either vertex of the pair.
   CHECK(count(atomic_operations(editor, three), AtomicKind::move_35) == 6);
   CHECK(count(atomic_operations(editor, five), AtomicKind::move_35) == 6);
 }
 
-TEST_CASE("section 5: one flip makes 3-3-5-5, each flip listed once", "[atomic]") {
+TEST_CASE("section 5: one flip makes 3-3-5-5, and each such flip is listed once", "[atomic]") {
   const Region region = neighbourhood(4);
   QuadMesh m = region.mesh;
   Editor editor(m);
@@ -139,7 +139,7 @@ TEST_CASE("Figure 5: type changes of any valence", "[atomic]") {
     Editor editor(m);
     const VertexId v = vertex_of(m, valence);
     const auto list = atomic_operations(editor, v);
-    // One raise for each face; one lower for each diagonal of the polygon of the edges.
+    // There is one raise for each face. There is one lower for each pair of edges that are not neighbours.
     CHECK(count(list, AtomicKind::raise) == static_cast<std::size_t>(valence));
     CHECK(count(list, AtomicKind::lower) == static_cast<std::size_t>(std::max(valence * (valence - 3) / 2, 0)));
     std::multiset<std::string> results;
@@ -153,10 +153,10 @@ TEST_CASE("Figure 5: type changes of any valence", "[atomic]") {
       results.insert(rel_boundary(m, region));
       editor.roll_back();
     }
-    // The two faces of a v2 become one in both ways.
+    // Both raises of a v2 give the same mesh.
     const std::size_t different = std::set<std::string>(results.begin(), results.end()).size();
     CHECK(different == (valence == 2 ? 1 : results.size()));
-    // All collapses at v and all splits of v that leave no v2 are there.
+    // These are all collapses at v, and all splits of v that leave no v2.
     std::multiset<std::string> found;
     for (const BasicOperation& op : exhausted(m)) {
       const auto changed = changed_vertices(m, op);

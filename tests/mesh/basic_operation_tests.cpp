@@ -1,5 +1,5 @@
-// The operation harness (claims B2, B3): every basic operation at every site of every small region. Legality is
-// predicted by surgery on face lists, which knows no half-edges.
+// Tests of every basic operation at every site of every small region (claims B2 and B3). Surgery on face lists predicts
+// whether an operation is legal. It knows no half-edges.
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
@@ -21,7 +21,7 @@ struct Tally {
   std::mt19937 random{16};  // the seed
 };
 
-// One operation at one site: `expected` says whether it is legal and what comes out.
+// Checks one operation at one site. `expected` says whether it is legal, and what the result is.
 void check_site(const Region& region, const BasicOperation& op, const tests::LegalResult& expected, Tally& tally) {
   const QuadMesh& before = region.mesh;
   const Refusal refusal = why_not(before, op);
@@ -38,18 +38,18 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   }
   ++tally.legal;
   REQUIRE(validate(after).empty());
-  // topology-5, topology-6, sizes.
+  // Laws topology-5 and topology-6, and the sizes.
   REQUIRE(euler_characteristic(after) == euler_characteristic(before));
   REQUIRE(tests::boundary_cycle(after) == tests::boundary_cycle(before));
   const int change = op.kind == Kind::collapse ? -1 : op.kind == Kind::split ? 1 : 0;
   REQUIRE(after.face_count() == before.face_count() + change);
   REQUIRE(after.vertex_count() == before.vertex_count() + change);
-  // The very mesh that the surgery made: the boundary vertices keep their names, so root at the same one.
+  // The result is the mesh that the surgery made. Boundary vertices keep their ids, so both have the same root.
   const VertexId root = before.origin(region.root);
   REQUIRE(signature(after, after.out(root)) ==
           signature(expected.mesh, expected.mesh.out(VertexId(expected.name[root.slot()]))));
 
-  // topology-7, claim B2.
+  // Law topology-7 and claim B2.
   const auto changed = changed_vertices(before, op);
   for (const VertexId v : before.vertices()) {
     if (!after.is_live(v)) continue;
@@ -81,8 +81,8 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
     }
   }
 
-  // topology-8, claim B3: the inverse restores everything. A flip's inverse is the other flip, and collapse and split
-  // are inverse to each other.
+  // Law topology-8 and claim B3: the inverse restores everything. The inverse of a flip is the other flip. Collapse and
+  // split are inverse to each other.
   QuadMesh undone = after;
   REQUIRE(apply(undone, done.inverse).refusal == Refusal::none);
   REQUIRE(undone == before);
@@ -104,7 +104,7 @@ void check_site(const Region& region, const BasicOperation& op, const tests::Leg
   REQUIRE(signature(moved, moved.out(other_root)) == signature(region));
 }
 
-// Every operation at every half-edge, every split at every pair of half-edges into and out of a vertex.
+// Checks every flip and collapse at every half-edge, and splits at all pairs of half-edges into and out of a vertex.
 void check_all_sites(const Region& region, Tally& tally) {
   INFO("on " << signature(region));
   const QuadMesh& m = region.mesh;
@@ -125,7 +125,7 @@ void check_all_sites(const Region& region, Tally& tally) {
     const std::size_t n = out.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
-        // The sector from face i counter-clockwise to face j; on the boundary it may not pass the outside.
+        // The sector goes from face i counter-clockwise to face j. It must not cross the boundary.
         const HalfEdgeId first = out[i];
         const HalfEdgeId last = m.previous(out[j]);
         std::vector<FaceId> sector;
@@ -156,7 +156,8 @@ TEST_CASE("every basic operation at every site of every region of perimeter <= 1
 }
 
 TEST_CASE("every basic operation at every site of every small disk", "[operations]") {
-  // Vertices of low valence inside, edges between boundary vertices: more is refused, and for more reasons.
+  // These disks have interior vertices of low valence, and edges between boundary vertices. So more operations are
+  // refused, for more reasons.
   Tally total;
   int disks = 0;
   for (const auto& [perimeter, faces] : {std::pair{4, 5}, std::pair{6, 5}, std::pair{8, 5}, std::pair{10, 5}}) {
@@ -171,15 +172,16 @@ TEST_CASE("every basic operation at every site of every small disk", "[operation
 }
 
 TEST_CASE("every flip and collapse at every site of closed meshes", "[operations]") {
-  // No boundary cycle to compare and no boundary root: the surgery decides legality, validity and inverse are checked.
-  // Random legal operations first lead to meshes on which doubled edges and low valences are near.
+  // A closed mesh has no boundary cycle and no boundary root to compare. Surgery predicts whether an operation is
+  // legal. The test checks this, the validity of the result, and the inverse. Random legal operations first lead to
+  // meshes that have many places near doubled edges and low valences.
   const unsigned seed = 40;
   std::mt19937 random(seed);
   int refused_edges = 0, performed = 0;
   for (int round = 0; round < 60; ++round) {
     INFO("seed " << seed << ", round " << round);
     QuadMesh m = round % 3 == 0 ? tests::cube() : round % 3 == 1 ? tests::torus(3, 3) : tests::torus(4, 3);
-    for (int step = 0; step < round; ++step) {
+    for (int operation = 0; operation < round; ++operation) {
       const auto all = m.half_edges();
       const HalfEdgeId h = all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(random)];
       const Kind kind = std::array{Kind::flip_ccw, Kind::flip_cw, Kind::collapse,
@@ -187,7 +189,7 @@ TEST_CASE("every flip and collapse at every site of closed meshes", "[operations
       apply(m, {kind, h, kind == Kind::split ? m.previous(h) : HalfEdgeId(), 0});
     }
     REQUIRE(validate(m).empty());
-    m = QuadMesh::from_faces(m.vertex_count(), m.compact_faces());  // without gaps, for the surgery
+    m = QuadMesh::from_faces(m.vertex_count(), m.compact_faces());  // the surgery requires a mesh without gaps
     std::vector<std::pair<BasicOperation, tests::LegalResult>> sites;
     for (const HalfEdgeId h : m.half_edges()) {
       for (const Rotation rotation : {Rotation::counter_clockwise, Rotation::clockwise}) {
@@ -225,7 +227,7 @@ TEST_CASE("each refusal occurs", "[operations]") {
   const HalfEdgeId inner = g.mesh.find_half_edge(VertexId(5), VertexId(6));
   CHECK(why_not_split(g.mesh, inner, g.mesh.twin(inner)) == Refusal::same_edge);
   CHECK(why_not_split(g.mesh, inner, inner) == Refusal::not_one_fan);
-  // The cube: diagonal corners of a face have no common neighbours but the face's own, valences stay >= 2.
+  // After one collapse on the cube, some operations would make a valence too low, and some would double an edge.
   const QuadMesh c = tests::cube();
   QuadMesh once = c;
   CHECK(collapse(once, HalfEdgeId(0)) == Refusal::none);
@@ -240,14 +242,14 @@ TEST_CASE("each refusal occurs", "[operations]") {
 }
 
 TEST_CASE("a flip is one split and one collapse", "[operations]") {
-  // Claim B3 (Figure 2, below): bloat the edge's path, then collapse the quad beside it.
+  // Claim B3 (Figure 2, below): a split opens a path through the edge, then a collapse closes the quad beside it.
   const Region g = tests::grid(4, 3);
   int checked = 0;
   for (const HalfEdgeId h : g.mesh.half_edges()) {
     if (why_not_flip(g.mesh, h, Rotation::counter_clockwise) != Refusal::none) continue;
     QuadMesh flipped = g.mesh;
     flip_unchecked(flipped, h, Rotation::counter_clockwise);
-    // Some split at an end of the edge followed by some collapse gives the same mesh rel boundary.
+    // The flip gives the same mesh as some split at an end of the edge followed by some collapse.
     bool found = false;
     for (const HalfEdgeId first : g.mesh.half_edges()) {
       for (const HalfEdgeId last : g.mesh.half_edges()) {

@@ -1,4 +1,5 @@
-// The meshes that other tests of mesh/ try everything on: that all of them are there, against published counts.
+// The census of small meshes, on which other tests of mesh/ test every case. Published counts show that none is
+// missing.
 #include <map>
 #include <set>
 #include <string>
@@ -15,7 +16,7 @@ using namespace requad;
 using namespace requad::mesh;
 
 TEST_CASE("the census of small disks is complete", "[census]") {
-  // OEIS A000139, from its third term; and Fuss-Catalan numbers, where no vertex is inside.
+  // These are OEIS A000139 from its third term, and Fuss-Catalan numbers where there is no interior vertex.
   CHECK(tests::number_of_disks(4, 1) == 1);
   CHECK(tests::number_of_disks(4, 2) == 2);
   CHECK(tests::number_of_disks(4, 3) == 6);
@@ -24,7 +25,7 @@ TEST_CASE("the census of small disks is complete", "[census]") {
   CHECK(tests::number_of_disks(4, 6) == 408);
   CHECK(tests::number_of_disks(8, 3) == 12);
   CHECK(tests::number_of_disks(10, 4) == 55);
-  // A hexagon with one vertex inside: of valence 3 in two ways, or of valence 2 in either quad beside a diagonal.
+  // In a hexagon, one interior vertex has valence 3 in two ways, or valence 2 in either quad beside a diagonal.
   CHECK(tests::number_of_disks(6, 3) == 2 + 3 * 4);
   for (const auto& [perimeter, faces] : {std::pair{4, 6}, std::pair{6, 5}, std::pair{8, 5}, std::pair{10, 5}}) {
     std::map<int, std::int64_t> found;
@@ -41,7 +42,7 @@ TEST_CASE("the census of small disks is complete", "[census]") {
   }
 }
 
-TEST_CASE("the census of small regions has what it says", "[census]") {
+TEST_CASE("the regions of the census are valid, different, and of the stated shapes", "[census]") {
   std::set<std::string> seen;
   for (const tests::SmallRegion& small : tests::small_regions(16, true, tests::Roots::each_corner)) {
     REQUIRE(validate(small.region.mesh).empty());
@@ -54,8 +55,8 @@ TEST_CASE("the census of small regions has what it says", "[census]") {
     REQUIRE(tests::irregular_valences(small.region.mesh) == valences);
     REQUIRE(seen.insert(signature(small.region)).second);
   }
-  // Side lengths by hand: two strips round an adjacent 3-5 pair, whose edge runs along the side of the v3 and along one
-  // of the v5's; and a star of five.
+  // Side lengths worked out by hand. The first region has two strips round an adjacent 3-5 pair. The edge of the pair
+  // lengthens two of the four sides.
   CHECK(side_lengths(tests::pair_region({3, 5, 1, 0}, {2, 2, 2, 2})) == std::vector<int>{5, 4, 4, 5});
   CHECK(side_lengths(tests::star({1, 2, 3, 4, 5})) == std::vector<int>{7, 4, 6, 8, 5});
 }

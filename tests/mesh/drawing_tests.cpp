@@ -1,4 +1,4 @@
-// Drawings of regions: outlines, and no quad turned over or lying on another.
+// Drawings of regions: their outlines, and that no quad is turned over or lies on another one.
 #include <cmath>
 
 #include "mesh/geometry/drawing.hpp"
@@ -12,8 +12,9 @@ using namespace requad::mesh;
 using Eigen::Vector2d;
 using requad::tests::area;
 
-TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
-  // A regular hexagon of side L: corners at distance L from the centre, 60 degrees apart, the first side lowest.
+TEST_CASE("outlines have corners, lengths and even spacing", "[drawing]") {
+  // A regular hexagon of side L has its corners at distance L from the centre, 60 degrees apart. The first side is the
+  // lowest one.
   const std::vector<Vector2d> hexagon = outline({4, 4, 4, 4, 4, 4});
   REQUIRE(hexagon.size() == 24);
   for (std::size_t i = 0; i < 24; i += 4) {
@@ -24,19 +25,20 @@ TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
   CHECK(hexagon[0].x() == Approx(-2));
   CHECK(hexagon[0].y() == Approx(-2 * std::sqrt(3)));
   CHECK(hexagon[4].y() == Approx(-2 * std::sqrt(3)));
-  // A rectangle is one; a triangle with sides 3, 4, 5 has a right angle.
+  // A rectangle stays a rectangle. A triangle with sides 3, 4, 5 has a right angle.
   const std::vector<Vector2d> rectangle = outline({7, 2, 7, 2});
   CHECK(rectangle[0].x() == Approx(-3.5));
   CHECK(rectangle[9].y() == Approx(1));
   const std::vector<Vector2d> triangle = outline({3, 4, 5});
   CHECK((triangle[3] - triangle[0]).dot(triangle[7] - triangle[3]) == Approx(0).margin(1e-9));
   CHECK((triangle[7] - triangle[0]).norm() == Approx(5));
-  // Sides in proportion, also where the circle's centre is outside; and a flat one is opened.
+  // The sides are in proportion, even if the centre of the circle lies outside. An outline that would be flat is
+  // opened.
   const std::vector<Vector2d> trapezium = outline({9, 4, 4, 4});
   CHECK((trapezium[9] - trapezium[0]).norm() == Approx(9));
   CHECK((trapezium[13] - trapezium[9]).norm() == Approx(4));
   CHECK(area(outline({9, 3, 3, 3})) > 1);
-  // A lens: mirror images above and below, every edge of length 1, corners at the ends.
+  // A digon is a lens. Its lower half mirrors the upper one, every edge has length 1, and the corners are at the ends.
   for (int length = 2; length <= 9; ++length) {
     const std::vector<Vector2d> lens = outline({length, length});
     for (std::size_t i = 0; i < lens.size(); ++i) {
@@ -47,10 +49,10 @@ TEST_CASE("outlines: corners, lengths, even spacing", "[drawing]") {
       CHECK(lens[i].x() >= lens[0].x());
     }
   }
-  // Arcs as long as the sides, of which the chords are a little less.
+  // Unequal sides become arcs of their lengths. The chords are a little shorter.
   const std::vector<Vector2d> uneven = outline({6, 8});
   for (std::size_t i = 0; i < 14; ++i) CHECK((uneven[(i + 1) % 14] - uneven[i]).norm() == Approx(1).epsilon(0.01));
-  // A drop's corner is a right angle, a circle has none.
+  // A drop has one corner, a right angle. A circle has none.
   const std::vector<Vector2d> drop = outline({40});
   CHECK((drop[1] - drop[0]).dot(drop[39] - drop[0]) == Approx(0).margin(1e-9));
   CHECK(outline({12}, false)[3].norm() == Approx(outline({12}, false)[0].norm()));
@@ -60,7 +62,7 @@ TEST_CASE("drawings of small regions", "[drawing]") {
   for (const tests::SmallRegion& small : tests::small_regions(16, true)) tests::check_drawing(small.region, 0.3);
 }
 
-TEST_CASE("what is not a drawing is named (geometry-6)", "[drawing]") {
+TEST_CASE("positions that are no drawing are refused (geometry-6)", "[drawing]") {
   const Region grid = tests::grid(3, 3);
   const std::vector<Vector2d> good = draw(grid);
   double smallest = 0;
@@ -80,14 +82,14 @@ TEST_CASE("what is not a drawing is named (geometry-6)", "[drawing]") {
   bad = good;
   bad[corner] = good[15] + Vector2d(1, 1);
   CHECK(!drawing_problem(grid, bad).empty());
-  // A quad that crosses itself, counter-clockwise in the larger part.
+  // This quad crosses itself, and its larger part is counter-clockwise.
   const Region one = tests::grid(1, 1);
   const auto order = boundary_loop(one.mesh, one.root);
   bad.assign(4, Vector2d::Zero());
   const std::array<Vector2d, 4> crossed{Vector2d(0, 0), Vector2d(4, 0), Vector2d(0.5, 2), Vector2d(3, -0.2)};
   for (std::size_t i = 0; i < 4; ++i) bad[one.mesh.origin(order[i]).slot()] = crossed[i];
   CHECK(drawing_problem(one, bad).find("quad") == 0);
-  // A long fan, where whole steps would turn quads over.
+  // In this long fan, full steps of the optimisation would turn quads over.
   const Region wide = tests::grid(30, 6);
   std::vector<Vector2d> fan(static_cast<std::size_t>(wide.mesh.vertex_capacity()));
   for (const VertexId v : wide.mesh.vertices()) {
@@ -98,7 +100,7 @@ TEST_CASE("what is not a drawing is named (geometry-6)", "[drawing]") {
   draw_inside(wide.mesh, fan);
   CHECK(drawing_problem(wide, fan).empty());
   CHECK(fan[7] == before[7]);  // on the boundary
-  // A spiral of quads that covers a part of the plane twice, though no quad is turned over.
+  // This spiral of quads covers a part of the plane twice, but no quad is turned over.
   tests::FaceList strip;
   std::vector<Vector2d> at;
   for (int i = 0; i <= 20; ++i) {

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-// A cube, its corners at 1 and -1, and the same as triangles.
+// A cube with corners at 1 and -1, and the same cube as triangles.
 const std::string kCorners = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
 const std::string kCube = kCorners + "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 const std::string kTriangles = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
@@ -64,7 +64,7 @@ TEST_CASE("requad-edit info", "[programs]") {
 
 TEST_CASE("requad-edit smooth and subdivide", "[programs]") {
   write_inputs();
-  // A cube is in balance; with all edges features nothing may move at all.
+  // Smoothing does not change a cube. If all its edges are features, no vertex may move.
   const Outcome still = call("edit", "smooth cube.obj --feature-angle 60 -o still.obj");
   CHECK(still.code == 0);
   CHECK(still.out.rfind("0 vertices moved", 0) == 0);
@@ -129,8 +129,8 @@ TEST_CASE("requad-edit: one line for bad input, exit 2, nothing written", "[prog
 
 TEST_CASE("requad-enumerate signature of a file", "[programs]") {
   write_inputs();
-  // Two names for one mesh, another mesh, and what the search calls the cube: the one sphere with eight v3 and 8
-  // vertices.
+  // Two files of one mesh, a file of another mesh, and the search, which finds the cube: it is the only sphere with
+  // eight v3s and 8 vertices.
   spill(scratch() / "renamed.obj", kCorners + "f 3 2 1 4\nf 8 5 6 7\nf 5 1 2 6\nf 6 2 3 7\nf 7 3 4 8\nf 8 4 1 5\n");
   const std::string cube = call("enumerate", "signature cube.obj").out;
   CHECK(tests::line_count(cube) == 1);

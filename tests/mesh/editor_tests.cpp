@@ -1,4 +1,4 @@
-// Editors, features, transport and how vertices are parted, on generated meshes.
+// Editors, features, transport and the parting of vertices, on generated meshes.
 #include <map>
 #include <random>
 
@@ -40,7 +40,7 @@ TEST_CASE("Laws editing-1 to editing-4: random edits keep features and fixed pos
       if (refusal != Refusal::none) REQUIRE(m == kept);
       if (refusal == FeatureRefusal::breaks_feature) {
         ++refused_for_features;
-        // Law editing-5 says no more than needed: the operation does break the feature.
+        // Law editing-5 forbids nothing else: the refused operation would break the feature.
         QuadMesh broken = m;
         REQUIRE(apply(broken, op).refusal == Refusal::none);
         const auto edges = features.edges();
@@ -68,7 +68,7 @@ TEST_CASE("Laws editing-1 to editing-4: random edits keep features and fixed pos
   }
 }
 
-TEST_CASE("Law editing-2: a move from 0 to -0 is a move, and is rolled back", "[editor]") {
+TEST_CASE("Law editing-2: a vertex that moves from 0 to -0 is rolled back, too", "[editor]") {
   QuadMesh m = tests::torus(3, 3);
   Positions positions(9, Eigen::Vector3d::Zero());
   Editor editor(m, nullptr, &positions);
@@ -83,7 +83,7 @@ TEST_CASE("Law editing-2: a move from 0 to -0 is a move, and is rolled back", "[
 
 TEST_CASE("Law irregular-1: a step changes the valences of both positions of the adjacent pair and no other",
           "[transport]") {
-  // By hand: u gains and v loses an edge, the next u loses and the next v gains one.
+  // By hand: u gains an edge and v loses one. The next u loses an edge and the next v gains one.
   const Region start = tests::pair_region({3, 5, 1, 0}, {3, 3, 3, 3});
   const auto pair = irregular_vertices(start.mesh);
   REQUIRE(pair.size() == 2);
@@ -102,7 +102,7 @@ TEST_CASE("Law irregular-1: a step changes the valences of both positions of the
       CHECK(m.valence(now.u(m)) == 3);
       CHECK(m.valence(now.v(m)) == 5);
       if (step.kind != TransportStep::Kind::collapse || other_names) CHECK(now.v(m) == planned.next_v);
-      // Both choices of names make the same mesh.
+      // Both choices of ids make the same mesh.
       QuadMesh same = start.mesh;
       apply(same, plan(same, {edge}, step).operation);
       const VertexId root = start.mesh.origin(start.root);
@@ -111,7 +111,7 @@ TEST_CASE("Law irregular-1: a step changes the valences of both positions of the
   }
 }
 
-TEST_CASE("Any valence is parted into v3s and v5s", "[complementary]") {
+TEST_CASE("vertices of any valence are parted into v3s and v5s", "[complementary]") {
   for (int valence = 6; valence <= 12; ++valence) {
     const Region region = tests::star(std::vector<int>(static_cast<std::size_t>(valence), 4));
     QuadMesh m = region.mesh;

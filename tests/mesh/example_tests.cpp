@@ -1,7 +1,7 @@
-// The examples of mesh/examples: Figures 16, 17 and 18, repaired by the commands of its script.
+// The meshes in mesh/examples: Figures 16, 17 and 18, which the commands of the script there repair.
 //
-// Each input is a clean model on which the paper's repair was made backwards, so that what the repair should lead to is
-// known: the model's own irregular vertices.
+// Each input was made from a clean model by the paper's repair in reverse. So the result of the repair is known: it has
+// the irregular vertices of the model.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -46,7 +46,8 @@ struct Model {
   VertexId operator()(int x, int y, int z) const { return VertexId(names.at({x, y, z})); }
 };
 
-// A cube of n x n quads a side, vertices named by their coordinates 0..n; with rounded edges if wanted.
+// A cube with n x n quads on each side, and with rounded edges if wanted. Vertices have their coordinates 0..n as
+// names.
 Model block(int n, bool rounded) {
   constexpr double kNorm = 4;
   Model m;
@@ -75,8 +76,9 @@ Model block(int n, bool rounded) {
   return m;
 }
 
-// A cylinder with sharp rims. Each cap is a square of n x n quads with four v3s at its corners and rings of 4 n quads
-// round it. Names: level, ring and place round it (ring 0: the square's boundary); -1 - level, x, y inside the square.
+// A cylinder with sharp rims. Each cap is a square of n x n quads, with four v3s at its corners, and rings of 4 n quads
+// round the square. A vertex inside the square has the name (-1 - level, x, y). Any other vertex has the name (level,
+// ring, position along the ring), where ring 0 is the boundary of the square.
 Model cylinder(int n, int rings, int levels) {
   constexpr double kSquare = 0.55, kHeight = 1.2;  // half the square's side; the radius is 1
   Model m;
@@ -99,8 +101,8 @@ Model cylinder(int n, int rings, int levels) {
                  {(-1 + 2.0 * x / n) * kSquare, (-1 + 2.0 * y / n) * kSquare, kHeight * level / levels});
   };
   for (const int level : {0, levels}) {
-    // Clockwise, from the corner that lies last, and in braces: vertices get their numbers in this order, on which the
-    // script relies.
+    // The calls below list corners clockwise, in braces. The order of the calls decides the numbers of the vertices, on
+    // which the script relies.
     const auto face = [&](const std::array<int, 4>& f) {
       m.faces.push_back(level > 0 ? std::array{f[3], f[2], f[1], f[0]} : std::array{f[3], f[0], f[1], f[2]});
     };
@@ -122,7 +124,7 @@ Model cylinder(int n, int rings, int levels) {
   return m;
 }
 
-// A model under an editor, with its features.
+// A model with its features and an editor.
 struct Bench {
   explicit Bench(const Model& model)
       : mesh(QuadMesh::from_faces(static_cast<int>(model.positions.size()), model.faces)),
@@ -140,8 +142,8 @@ struct Bench {
   void send(VertexId three, VertexId five, VertexId target) {
     REQUIRE(transport.carry({mesh.find_half_edge(three, five), false}, std::array{target}).refusal == Refusal::none);
   }
-  // The v5 takes a step, and the v3 absorbs the adjacent pair that this leaves behind.
-  void step(VertexId five, VertexId to, VertexId three) {
+  // Moves the v5 by an edge. The v3 absorbs the adjacent pair that this leaves behind.
+  void move(VertexId five, VertexId to, VertexId three) {
     REQUIRE(transport.carry({mesh.find_half_edge(five, to), true}, std::array{three}).refusal == Refusal::none);
   }
   Surface result() {
@@ -165,7 +167,7 @@ struct Bench {
 
 using Kind = BasicOperation::Kind;
 
-// Figure 16: on a rounded corner the v3 is an edge away from where it belongs, with a v3 and a v5 beside it.
+// Figure 16: on a rounded corner, the v3 is an edge away from its proper place. A v3 and a v5 are beside it.
 Surface figure_16() {
   const Model model = block(8, true);
   Bench bench(model);
@@ -174,7 +176,7 @@ Surface figure_16() {
   return bench.result();
 }
 
-// Figure 17: one of four v3s on a cap is misaligned, with a v3 and a v5 below.
+// Figure 17: one of four v3s on a cap is misaligned. A v3 and a v5 are below it.
 Surface figure_17() {
   constexpr int kTop = 4;
   const Model model = cylinder(6, 4, kTop);
@@ -184,15 +186,15 @@ Surface figure_17() {
   return bench.result();
 }
 
-// Figure 18: of four irregular vertices on a side of a sharp block, one was led on to an edge of it: three transports
-// from the v5s let it come nearer by an edge each.
+// Figure 18: one of four irregular vertices on a side of a sharp block has moved to an edge of the block. Three
+// transports from the v5s moved it, by an edge each.
 Surface figure_18() {
   const Model model = block(8, false);
   Bench bench(model);
   bench.flip(model(4, 3, 8), model(4, 4, 8), Kind::flip_ccw);
-  bench.step(model(5, 3, 8), model(5, 2, 8), model(4, 3, 8));
-  bench.step(model(3, 4, 8), model(5, 3, 8), model(4, 2, 8));
-  bench.step(model(5, 3, 8), model(6, 3, 8), model(4, 1, 8));
+  bench.move(model(5, 3, 8), model(5, 2, 8), model(4, 3, 8));
+  bench.move(model(3, 4, 8), model(5, 3, 8), model(4, 2, 8));
+  bench.move(model(5, 3, 8), model(6, 3, 8), model(4, 1, 8));
   CHECK(bench.editor.sectors().lacks(model(4, 0, 8)));
   return bench.result();
 }
@@ -203,7 +205,7 @@ std::string example(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("The examples' inputs are the models with their defects", "[examples]") {
+TEST_CASE("the examples' inputs are the models with their defects", "[examples]") {
   for (const auto& [name, make] :
        {std::pair{"figure-16", &figure_16}, std::pair{"figure-17", &figure_17}, std::pair{"figure-18", &figure_18}}) {
     INFO(name);
@@ -230,12 +232,12 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
   REQUIRE(std::system(command.c_str()) == 0);
   const auto read = [&](const std::string& name) { return read_surface((out / (name + ".obj")).string(), false); };
   const auto inverted = [](const Surface& s) { return diagnose(s.mesh, s.positions).inverted; };
-  // What the clean models have: a v3 at each corner of a block, four on each cap of a cylinder.
+  // The clean models have a v3 at each corner of a block, and four v3s on each cap of a cylinder.
   const std::map<int, int> eight{{3, 8}};
   const Surface corner = read("figure-16-repaired");
   CHECK(tests::irregular_valences(corner.mesh) == eight);
   CHECK(inverted(corner) == 0);
-  // The v3 is the vertex nearest to the corner of the block, or next to that.
+  // A v3 is the vertex nearest to the corner of the block, or a neighbour of that vertex.
   const Eigen::Vector3d at = Eigen::Vector3d(1, -1, 1) / std::pow(3, 1.0 / 4);
   double nearest = 2;
   for (const VertexId v : corner.mesh.vertices()) {
@@ -246,7 +248,7 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
   Surface cap = read("figure-17-repaired");
   CHECK(tests::irregular_valences(cap.mesh) == eight);
   CHECK(inverted(cap) == 0);
-  // Of the six pairs of v3s on the cap, four are joined by a separatrix: sides of a square, not its diagonals.
+  // Separatrices join four of the six pairs of v3s on the cap: the sides of a square, but not its diagonals.
   std::vector<VertexId> threes;
   for (const VertexId v : cap.mesh.vertices()) {
     if (cap.mesh.valence(v) == 3 && cap.positions[v.slot()].z() > 1) threes.push_back(v);
@@ -280,7 +282,7 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
     CHECK(pulled.positions[a.slot()] == defect.positions[a.slot()]);
     CHECK(pulled.positions[b.slot()] == defect.positions[b.slot()]);
   }
-  // The ten v3s and two v5s could not become fewer while one was on the edge.
+  // While one of the vertices is on the edge, the ten v3s and two v5s cannot be reduced.
   const auto before =
       tests::call("edit", "reduce '" + example("figure-18") + "' --feature-angle 40 -o less.obj --json -");
   REQUIRE(before.code == 0);

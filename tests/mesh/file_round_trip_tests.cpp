@@ -1,4 +1,4 @@
-// Files: nothing is lost from a file to a mesh and back; subdivided polygons, feature files, real meshes.
+// Files: nothing is lost between a file and a mesh. Also subdivided polygons, feature files and real meshes.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -31,7 +31,7 @@ TEST_CASE("vertices without faces are dropped, the others keep their order", "[f
 }
 
 TEST_CASE("what was read is written to the same bits, in the same order (files-5)", "[files]") {
-  // Any bits that are a number within bounds.
+  // The bits are random, but form numbers within the bounds.
   std::mt19937_64 random(2);
   const QuadMesh m = torus(7, 5);
   Positions positions;
@@ -56,8 +56,8 @@ TEST_CASE("what was read is written to the same bits, in the same order (files-5
   CHECK(obj_text(back.mesh, back.positions) == text);
 }
 
-TEST_CASE("subdividing: V' = V + E + F, F' = the corners, the vertices in front", "[files]") {
-  // A triangle, a quad and a pentagon in a row, and a vertex that no face has.
+TEST_CASE("subdivision has V + E + F vertices, old ones first, and a face for each corner", "[files]") {
+  // A triangle, a quad and a pentagon in a row, and a vertex without a face.
   const PolygonMesh m = parse_obj(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv -1 0.5 0\nv 7 7 7\n"
       "f 1 4 8\nf 1 2 3 4\nf 2 5 6 7 3\n",
@@ -94,7 +94,7 @@ TEST_CASE("files that cannot be read, and names", "[files]") {
 }
 
 TEST_CASE("feature files", "[files]") {
-  // Vertices 1..12 of a grid of 3 x 2 quads, and one in no face before them.
+  // A vertex without a face, and then the vertices 1..12 of a grid of 3 x 2 quads.
   Region g = grid(3, 2);
   std::string text = "v 0 0 0\n";
   for (int v = 0; v < g.mesh.vertex_count(); ++v)
@@ -133,7 +133,7 @@ TEST_CASE("feature files", "[files]") {
   CHECK(refused("2 3.5\n") == "1: '3.5' is not a vertex");
   CHECK(refused("?\n") == "1: '?' is not a vertex");
 
-  // Subdivided, an edge of the file is its two halves.
+  // If the mesh is subdivided, an edge of the file stands for its two halves.
   spill(scratch() / "grid.obj", text);
   const Surface halves = read_surface((scratch() / "grid.obj").string(), true);
   const FeatureEdges two = parse_feature_edges(name(a) + " " + name(b), "file", halves);
@@ -142,8 +142,8 @@ TEST_CASE("feature files", "[files]") {
         "1: no edge joins the vertices 2 and 13");
 }
 
-TEST_CASE("real meshes are what their collection says", "[files][real]") {
-  // Genus, loops and irregular vertices: the table of the collection's README.
+TEST_CASE("real meshes are as the table of their collection says", "[files][real]") {
+  // Genus, loops and irregular vertices are from the table of the collection's README.
   struct Row {
     const char* name;
     int vertices, faces, genus, loops;

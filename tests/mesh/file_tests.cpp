@@ -1,4 +1,4 @@
-// Files: what is read, what is refused and where, in a line that says why.
+// Files: what is read, and what is refused. A refusal names the line and the reason.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 
 std::string of_obj(const std::string& text) { return complaint(parse_obj, text); }
 std::string of_off(const std::string& text) { return complaint(parse_off, text); }
-// Of the way from the text to a quad mesh.
+// The message by which a text is refused on its way to a quad mesh; "" if there is none.
 std::string of_quads(const std::string& text) {
   return complaint([](const std::string& t, const std::string& name) { to_quad_mesh(parse_obj(t, name)); }, text);
 }
@@ -31,7 +31,7 @@ std::vector<std::vector<int>> faces_of(const PolygonMesh& m) {
   return faces;
 }
 
-// Vertices without any geometry, and these faces, counted from 1.
+// An OBJ text: vertices without any geometry, and these faces, counted from 1.
 std::string obj(int vertices, const std::vector<std::vector<int>>& faces) {
   std::string text;
   for (int v = 0; v < vertices; ++v) text += "v " + std::to_string(v) + " 0 0\n";
@@ -45,7 +45,7 @@ std::string obj(int vertices, const std::vector<std::vector<int>>& faces) {
 
 }  // namespace
 
-TEST_CASE("OBJ: everything that may stand in it (files-1)", "[files]") {
+TEST_CASE("OBJ: everything that a file may contain is read (files-1)", "[files]") {
   const std::string text =
       "\xEF\xBB\xBF# a comment\r\n"
       "mtllib some.mtl\r\n"
@@ -57,10 +57,10 @@ TEST_CASE("OBJ: everything that may stand in it (files-1)", "[files]") {
       "\n"
       "vt 0 0\nvn 0 0 1\ng one two\ns off\nusemtl stone\n"
       "f 1/1/1 2//1 3/7 4\n"  // texture coordinates and normals are not even counted
-      "v 2 0 0\rv 2 1 0\r"    // lines of old
+      "v 2 0 0\rv 2 1 0\r"    // lines that end as on old systems
       "f -5 -2 \\\n -1 -4\n"  // -1 is vertex 6, the last so far
       "l 1 2\n"
-      "f 1 2 7";  // a vertex that comes later, and no line's end
+      "f 1 2 7";  // a vertex that comes later, and no end of the line
   const PolygonMesh m = parse_obj(text + "\nv 0 0 5\n", "file");
   CHECK(faces_of(m) == std::vector<std::vector<int>>{{0, 1, 2, 3}, {1, 4, 5, 2}, {0, 1, 6}});
   CHECK(m.lines == std::vector<int>{14, 17, 20});
@@ -71,7 +71,7 @@ TEST_CASE("OBJ: everything that may stand in it (files-1)", "[files]") {
   CHECK(of_obj(text) == "20: vertex 7 does not exist; there are 6, counted from 1");
 }
 
-TEST_CASE("OFF: everything that may stand in it (files-1)", "[files]") {
+TEST_CASE("OFF: everything that a file may contain is read (files-1)", "[files]") {
   const PolygonMesh m = parse_off(
       "# first\nCOFF\n\n 5 2 0 # counts\n0 0 0 255 0 0 1\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n4 0 1 2 3 0.5 0.5 0.5\r\n\n3 0 3 "
       "4",
@@ -82,7 +82,7 @@ TEST_CASE("OFF: everything that may stand in it (files-1)", "[files]") {
   CHECK(faces_of(parse_off("OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file")).size() == 1);
 }
 
-TEST_CASE("OBJ: what is refused, and in which line", "[files]") {
+TEST_CASE("OBJ: a refusal names the line and the reason", "[files]") {
   const std::string v = kFourVertices;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "1: the file ends without a vertex or face"},
@@ -124,7 +124,7 @@ TEST_CASE("OBJ: what is refused, and in which line", "[files]") {
   }
 }
 
-TEST_CASE("OFF: what is refused, and in which line", "[files]") {
+TEST_CASE("OFF: a refusal names the line and the reason", "[files]") {
   const std::string v = "0 0 0\n1 0 0\n0 1 0\n";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "1: nothing where OFF is expected"},
@@ -155,7 +155,7 @@ TEST_CASE("OFF: what is refused, and in which line", "[files]") {
   }
 }
 
-TEST_CASE("polygons that are no quad mesh: the line and the reason", "[files]") {
+TEST_CASE("polygons that are no quad mesh are refused with the line and the reason", "[files]") {
   const std::vector<std::pair<std::string, std::string>> cases{
       {obj(5, {{1, 2, 3, 4}, {1, 2, 5}}),
        "7: a face has 3 corners; expected a quad (subdividing makes quads of any polygons)"},
@@ -163,21 +163,21 @@ TEST_CASE("polygons that are no quad mesh: the line and the reason", "[files]") 
        "11: edge 1-2 has 3 faces, the first in line 9; expected at most 2"},
       {obj(6, {{1, 2, 3, 4}, {2, 5, 6, 3}, {1, 2, 3, 4}}),
        "9: edge 2-3 has 3 faces, the first in line 7; expected at most 2"},
-      // A strip of three quads, the middle one turned round.
+      // A strip of three quads, of which the middle one is turned over.
       {obj(8, {{1, 2, 6, 5}, {2, 6, 7, 3}, {3, 4, 8, 7}}),
        "10: this face and that of line 9 are not oriented alike at edge 2-6; turning 1 of the 3 faces round would do"},
-      // The same strip closed with half a turn: a Moebius band.
+      // The same strip, closed with half a turn to a Moebius band.
       {obj(6, {{1, 2, 5, 4}, {2, 3, 6, 5}, {3, 4, 1, 6}}),
        "9: the surface is one-sided, like a Moebius band, and has no orientation; seen at edge 3-6"},
       {obj(7, {{1, 2, 3, 4}, {1, 5, 6, 7}}), "9: vertex 1 is not manifold: its faces form more than one fan"},
-      // Both faces twice: each edge has two faces, in opposite directions, but vertex 1 has two fans.
+      // Each edge has two faces, in opposite directions, but vertex 1 has two fans.
       {obj(7, {{1, 2, 3, 4}, {1, 4, 3, 2}, {1, 5, 6, 7}, {1, 7, 6, 5}}),
        "10: vertex 1 is not manifold: its faces form more than one fan"}};
   for (const auto& [text, expected] : cases) {
     INFO(text);
     CHECK(of_quads(text) == expected);
   }
-  // A Moebius band of triangles names the file's edge, not one that subdividing made.
+  // For a Moebius band of triangles the message names an edge of the file, and not one that the subdivision made.
   spill(scratch() / "band.obj", obj(5, {{1, 2, 3}, {2, 3, 4}, {3, 4, 5}, {4, 5, 1}, {5, 1, 2}}));
   try {
     read_surface((scratch() / "band.obj").string(), true);
@@ -220,8 +220,8 @@ TEST_CASE("a damaged file is read or refused in one line (files-3)", "[files]") 
   CHECK(taken > 3000);
 }
 
-TEST_CASE("the reason is found for whatever QuadMesh refuses", "[files]") {
-  // Random quads on few vertices: nearly all are refused, for every reason. from_faces() decides by itself.
+TEST_CASE("there is a reason for everything that QuadMesh refuses", "[files]") {
+  // Random quads on few vertices: nearly all are refused, and every reason occurs. from_faces() decides independently.
   std::mt19937 random(1);
   std::map<std::string, int> reasons;
   int taken = 0;

@@ -22,13 +22,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The cube of side 2 about the origin, in the vertex order of tests::cube(), whatever that is: vertices one edge apart
+// The cube of side 2 about the origin. It does not depend on the vertex order of tests::cube(): adjacent vertices
 // differ in one coordinate.
 Positions cube_positions(const QuadMesh& m) {
   Positions p(8, Vector3d::Zero());
   const VertexId first(0);
   p[0] = {-1, -1, -1};
-  // Neighbours counter-clockwise seen from outside, at the corner (-1, -1, -1): x, z, y.
+  // Seen from outside, the neighbours of the corner (-1, -1, -1) lie in the directions x, z, y counter-clockwise.
   const std::vector<VertexId> around = m.neighbours(first);
   const std::array<Vector3d, 3> axes{Vector3d(2, 0, 0), Vector3d(0, 0, 2), Vector3d(0, 2, 0)};
   for (std::size_t k = 0; k < 3; ++k) p[around[k].slot()] = p[0] + axes[k];
@@ -44,13 +44,13 @@ Positions cube_positions(const QuadMesh& m) {
   return p;
 }
 
-// One quad.
+// A mesh of one quad.
 struct Quad {
   QuadMesh mesh = QuadMesh::from_faces(4, std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
   Positions positions;
 };
 
-// A grid of unit squares in the plane z = 0, its inner vertices moved at random.
+// A grid of unit squares in the plane z = 0, whose inner vertices are moved at random.
 Surface shaken_grid(int columns, int rows, double by, std::mt19937& random) {
   std::vector<std::array<int, 4>> faces;
   Surface s;
@@ -84,20 +84,20 @@ TEST_CASE("measures of single quads", "[geometry]") {
   CHECK(scaled_jacobian(q.mesh, q.positions, f) == 1);
   CHECK(aspect_ratio(q.mesh, q.positions, f) == 2);  // 3 * 8 / (4 * 3)
   CHECK(bounding_box_diagonal(q.mesh, q.positions) == Approx(std::sqrt(10)));
-  // A rhombus of 60 degrees.
+  // A rhombus with an angle of 60 degrees.
   q.positions = {{0, 0, 0}, {1, 0, 0}, {1.5, std::sqrt(3) / 2, 0}, {0.5, std::sqrt(3) / 2, 0}};
   CHECK(scaled_jacobian(q.mesh, q.positions, f) == Approx(std::sqrt(3) / 2));
-  // A triangle with a vertex on its side, and pushed through it: the mean normal stays.
+  // A quad whose fourth vertex lies on the side of a triangle, then beyond that side. The mean normal stays.
   q.positions = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
   CHECK(scaled_jacobian(q.mesh, q.positions, f) == Approx(0).margin(1e-15));
   q.positions[3] = {0.9, 0.3, 0};
   CHECK(scaled_jacobian(q.mesh, q.positions, f) < 0);
   CHECK(face_normal(q.mesh, q.positions, f).z() > 0);
-  // Its triangles lie inside: the diagonal that ends at the reflex corner.
+  // The triangles lie inside the quad: the diagonal ends at the reflex corner.
   double sum = 0;
   for (const Triangle& t : triangles(q.mesh, q.positions, f)) sum += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
   CHECK(sum == Approx(area(q.mesh, q.positions, f)));
-  // Nothing left: no normal, no quality, no crash.
+  // A quad without area has no normal and no quality.
   q.positions.assign(4, Vector3d(1, 2, 3));
   CHECK(area(q.mesh, q.positions, f) == 0);
   CHECK(scaled_jacobian(q.mesh, q.positions, f) == 0);
@@ -108,7 +108,7 @@ TEST_CASE("measures of single quads", "[geometry]") {
   CHECK(is_inverted(scaled_jacobian(q.mesh, q.positions, f)));
 }
 
-TEST_CASE("the cube: dihedral angles, mean curvature, features", "[geometry]") {
+TEST_CASE("the cube has the right dihedral angles, mean curvature and features", "[geometry]") {
   const QuadMesh m = cube();
   Positions p = cube_positions(m);
   double volume = 0;
@@ -119,7 +119,7 @@ TEST_CASE("the cube: dihedral angles, mean curvature, features", "[geometry]") {
   }
   REQUIRE(volume == Approx(8));
   for (const HalfEdgeId h : m.half_edges()) CHECK(dihedral_angle(m, p, h) == Approx(std::numbers::pi / 2));
-  // Integrated over all vertices, half of length * angle for each edge: 12 * 2 * (pi / 2) / 2.
+  // The integral over all vertices is the sum of length * angle / 2 over the edges: 12 * 2 * (pi / 2) / 2.
   double total = 0;
   for (const VertexId v : m.vertices()) {
     CHECK(mean_curvature(m, p, v) == Approx(3 * 2 * (std::numbers::pi / 2) / 4));
@@ -182,7 +182,8 @@ TEST_CASE("nearest point of a triangle against a fine search", "[geometry]") {
     }
     CHECK(found <= best + 1e-12);
     CHECK(found >= best - 4.0 / kSteps);
-    // The plane through the point found, across the way to p, has the triangle behind it: it is the nearest.
+    // The plane through the found point, at a right angle to the line to p, has the triangle behind it. So the point is
+    // the nearest one.
     const Vector3d q = nearest_on_triangle(t, p);
     for (const Vector3d& corner : t) CHECK((corner - q).dot(p - q) <= 1e-12);
   }
@@ -200,7 +201,7 @@ TEST_CASE("SurfaceIndex finds what a search through all triangles finds (geometr
     const double size = bounding_box_diagonal(s.mesh, s.positions);
     std::normal_distribution<double> d(0, size);
     for (int trial = 0; trial < 200; ++trial) {
-      // On vertices, near the surface, and far out.
+      // Points are on vertices, near the surface, or far away.
       const double off = trial % 3 == 0 ? 0 : trial % 3 == 1 ? 0.02 : 5;
       const Vector3d p = s.positions[random() % s.positions.size()] + off * Vector3d{d(random), d(random), d(random)};
       double best = 1e300;
@@ -237,7 +238,7 @@ TEST_CASE("Hausdorff distance (geometry-2)", "[geometry][real]") {
   spike[inner.slot()].z() = 3;
   CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, g.positions}) == Approx(0).margin(1e-12));
   CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, lifted}) == Approx(0.5));
-  CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, slid}) == Approx(0.25));  // what sticks out at either end
+  CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, slid}) == Approx(0.25));  // a part sticks out at each end
   CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, spike}) == Approx(3));    // seen from one side only
   CHECK(hausdorff_distance({g.mesh, spike}, {g.mesh, g.positions}) == Approx(3));
   if (const auto path = real_mesh("fandisk_bommes")) {
@@ -251,7 +252,7 @@ TEST_CASE("Hausdorff distance (geometry-2)", "[geometry][real]") {
   }
 }
 
-TEST_CASE("smoothing: a shaken grid becomes regular again", "[smoothing]") {
+TEST_CASE("smoothing makes a disturbed grid regular again", "[smoothing]") {
   std::mt19937 random(6);
   for (const SmoothingWeights weights : {SmoothingWeights::uniform, SmoothingWeights::chord}) {
     Surface s = shaken_grid(7, 6, 0.3, random);
@@ -263,7 +264,7 @@ TEST_CASE("smoothing: a shaken grid becomes regular again", "[smoothing]") {
   }
 }
 
-TEST_CASE("smoothing: what it must not move, it does not (geometry-3)", "[smoothing]") {
+TEST_CASE("smoothing does not move fixed vertices (geometry-3)", "[smoothing]") {
   std::mt19937 random(7);
   const Surface s = shaken_grid(8, 8, 0.3, random);
   std::vector<VertexId> given;
@@ -285,7 +286,7 @@ TEST_CASE("smoothing: what it must not move, it does not (geometry-3)", "[smooth
     }
     CHECK(moved > 20);
   }
-  // Nothing to do: no vertices, no iterations.
+  // There is nothing to do without vertices or without iterations.
   Positions p = s.positions;
   smooth(s.mesh, p, {}, options);
   options.iterations = 0;
@@ -293,8 +294,9 @@ TEST_CASE("smoothing: what it must not move, it does not (geometry-3)", "[smooth
   CHECK(p == s.positions);
 }
 
-TEST_CASE("smoothing: the guard, face by face (geometry-4), and what happens without", "[smoothing]") {
-  // An L-shaped rim pulls its inner vertices over the reflex corner; shaken, some faces are inverted to begin with.
+TEST_CASE("smoothing with a guard makes no face worse (geometry-4), but without a guard it does", "[smoothing]") {
+  // An L-shaped boundary pulls its inner vertices over the reflex corner. After a disturbance, some faces are inverted
+  // at the start.
   std::mt19937 random(8);
   int inverted_without = 0, mended = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -325,7 +327,7 @@ TEST_CASE("smoothing: the guard, face by face (geometry-4), and what happens wit
   CHECK(inverted_without > 0);
 }
 
-TEST_CASE("smoothing: pulling keeps vertices near the original ones", "[smoothing]") {
+TEST_CASE("smoothing with pull_to keeps vertices near the original ones", "[smoothing]") {
   std::mt19937 random(9);
   const Surface s = shaken_grid(8, 8, 0.45, random);
   const PointIndex original(s.positions);
@@ -347,7 +349,8 @@ TEST_CASE("smoothing: pulling keeps vertices near the original ones", "[smoothin
   CHECK(farthest(p) > 0.09);
 }
 
-TEST_CASE("smoothing real meshes: better, on the surface, none inverted", "[smoothing][real]") {
+TEST_CASE("smoothing makes real meshes better, and keeps them on the surface and without inverted faces",
+          "[smoothing][real]") {
   for (const char* name : {"spot", "bob", "blub", "bunny_qex", "botijo_miq", "armadillo_gel", "fandisk_bommes"}) {
     const auto path = real_mesh(name);
     if (!path) continue;
@@ -371,7 +374,7 @@ TEST_CASE("smoothing real meshes: better, on the surface, none inverted", "[smoo
       if (on_feature[v.slot()]) CHECK(p[v.slot()] == s.positions[v.slot()]);
       CHECK(surface.nearest(p[v.slot()]).distance <= 1e-9 * before.bounding_box_diagonal);
     }
-    // The same again, to the last bit.
+    // A second run gives the same positions, to the last bit.
     Positions again = s.positions;
     smooth(s.mesh, again, s.mesh.vertices(), options);
     CHECK(again == p);

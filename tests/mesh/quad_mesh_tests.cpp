@@ -1,4 +1,4 @@
-// mesh/: building, traversal, and the validator on meshes that are broken in every way it names.
+// QuadMesh: building, traversal, and the validator on meshes with each defect that it names.
 #include "mesh/topology/basic_operations.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/support/catch.hpp"
@@ -94,7 +94,7 @@ TEST_CASE("traversal", "[mesh]") {
     CHECK(m.opposite(h) == m.next(m.next(h)));
     if (m.ccw(h).valid()) CHECK(m.cw(m.ccw(h)) == h);
   }
-  // Straight from the middle of one side to the other: vertices (0,1) (1,1) (2,1) (3,1).
+  // A straight path leads from the middle of one side to the other: vertices (0,1) (1,1) (2,1) (3,1).
   HalfEdgeId h = m.find_half_edge(VertexId(1), VertexId(5));
   h = m.straight(h);
   CHECK(m.target(h) == VertexId(9));
@@ -111,7 +111,7 @@ TEST_CASE("from_faces refuses what is no quad mesh", "[mesh]") {
   CHECK(build_error(6, {{0, 1, 2, 3}, {0, 1, 4, 5}}).find("not oriented alike") != std::string::npos);
   CHECK(build_error(8, {{0, 1, 2, 3}, {1, 0, 4, 5}, {0, 1, 6, 7}}).find("3 faces") != std::string::npos);
   CHECK(build_error(7, {{0, 1, 2, 3}, {0, 4, 5, 6}}).find("not manifold") != std::string::npos);
-  // A Moebius strip of three quads.
+  // A Moebius band of three quads.
   CHECK(build_error(6, {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 3, 0, 5}}).find("not oriented alike") != std::string::npos);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
   }
   SECTION("twins that do not meet") {
     Arrays a;
-    // Two boundary half-edges of different faces with no common vertices.
+    // Two boundary half-edges of different faces that have no vertices in common.
     std::vector<int> free;
     for (int i = 0; i < 8; ++i) {
       if (!a.twin[static_cast<std::size_t>(i)].valid()) free.push_back(i);
@@ -193,7 +193,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
     CHECK(reports(a.check(), DefectKind::out));
   }
   SECTION("two fans at one vertex") {
-    // Two separate quads, corners 0 of both renamed to one vertex.
+    // Two separate quads whose corners 0 are renamed to one vertex.
     const QuadMesh m = QuadMesh::from_faces(8, FaceList{{0, 1, 2, 3}, {4, 5, 6, 7}});
     Arrays a;
     a.twin.assign(8, h(-1));
@@ -209,7 +209,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
     CHECK(reports(a.check(), DefectKind::repeated_vertex));
   }
   SECTION("two edges between the same vertices") {
-    // Two quads that share two opposite corners' edges only by name: 0-1 in both, glued nowhere.
+    // Both quads have an edge 0-1, but they are not glued along it.
     const QuadMesh m = QuadMesh::from_faces(8, FaceList{{0, 1, 2, 3}, {4, 5, 6, 7}});
     Arrays a;
     a.twin.assign(8, h(-1));
@@ -220,7 +220,7 @@ TEST_CASE("the validator names each kind of defect", "[mesh]") {
   }
 }
 
-TEST_CASE("the validator ends on any garbage", "[mesh]") {
+TEST_CASE("the validator ends, whatever the arrays hold", "[mesh]") {
   std::mt19937 random(20120713);
   for (int round = 0; round < 3000; ++round) {
     const int faces = std::uniform_int_distribution<int>(0, 4)(random);
@@ -236,8 +236,8 @@ TEST_CASE("the validator ends on any garbage", "[mesh]") {
   }
 }
 
-TEST_CASE("a mesh gets back the ids that it had", "[mesh]") {
-  // By hand: two vertices and a face go, so that those after them move up when the mesh is written.
+TEST_CASE("a mesh gets its earlier ids back", "[mesh]") {
+  // By hand: two vertices and a face are removed, so later ones get lower numbers when the mesh is written.
   QuadMesh m = torus(4, 4);
   REQUIRE(collapse(m, HalfEdgeId(4 * 5 + 1)) == Refusal::none);
   REQUIRE(collapse(m, HalfEdgeId(4 * 2)) == Refusal::none);
@@ -255,7 +255,7 @@ TEST_CASE("a mesh gets back the ids that it had", "[mesh]") {
   CHECK(validate(other_order).empty());
   CHECK_FALSE(other_order == m);
   CHECK(compact.with_free_ids({}, {}) == compact);
-  // Twice, none, and beyond the last.
+  // An id that is given twice, no id, and an id beyond the last one.
   CHECK_THROWS_AS(compact.with_free_ids({FaceId(5), FaceId(5)}, {}), MeshError);
   CHECK_THROWS_AS(compact.with_free_ids({FaceId()}, {}), MeshError);
   CHECK_THROWS_AS(compact.with_free_ids({}, {VertexId(15)}), MeshError);

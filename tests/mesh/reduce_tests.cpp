@@ -1,4 +1,4 @@
-// Reducing meshes to their topological minimum, on generated and on real ones.
+// The reduction of generated and real meshes to their topological minimum.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -37,8 +37,8 @@ TEST_CASE("Laws irregular-31 to irregular-33: real meshes reach what discrete Ga
           "[reduce][real]") {
   struct Expected {
     const char* name;
-    std::map<int, int> left;  // sum of 4 - l(v) = 4 chi; genus 0: eight v3s, genus 1: none, genus 5: 32 v5s.
-                              // A mesh with v6s alone is left as it is.
+    std::map<int, int> left;  // the sum of 4 - l(v) is 4 chi: eight v3s for genus 0, none for 1, 32 v5s for 5.
+                              // A mesh with only v6s stays as it is.
   };
   for (const Expected& expected : {Expected{"spot", {{3, 8}}},
                                    {"fandisk_bommes", {{3, 8}}},
@@ -66,7 +66,7 @@ TEST_CASE("Laws irregular-31 to irregular-33: real meshes reach what discrete Ga
       CHECK(irregular_valences(m) == expected.left);
       CHECK(validate(m).empty());
       CHECK(euler_characteristic(m) == euler_characteristic(input.mesh));
-      // The same again, whatever was in memory.
+      // A second run gives the same, although memory holds other values.
       const std::string now = std::to_string(report.operations) + " " + std::to_string(m.face_count());
       if (round == 0) first = now;
       CHECK(now == first);
@@ -77,7 +77,7 @@ TEST_CASE("Laws irregular-31 to irregular-33: real meshes reach what discrete Ga
   }
 }
 
-TEST_CASE("reduce stops where it is told to, and within the deviation it is given", "[reduce][real]") {
+TEST_CASE("reduce stops at the given number of vertices, and keeps to the given deviation", "[reduce][real]") {
   const auto path = tests::real_mesh("spot");
   if (!path) return;
   const Surface input = read_surface(*path, false);
@@ -91,10 +91,10 @@ TEST_CASE("reduce stops where it is told to, and within the deviation it is give
     how.cost = cost;
     how.until = 60;
     how.surface = &surface;
-    how.final_iterations = 0;  // they move vertices only
+    how.final_iterations = 0;  // these iterations only move vertices
     const ReduceReport report = reduce(editor, how);
     CHECK(report.after <= 60);
-    CHECK(report.after >= 56);  // a cancellation takes at most four
+    CHECK(report.after >= 56);  // a cancellation removes at most four
     CHECK(report.after == static_cast<int>(irregular_vertices(m).size()));
   }
   QuadMesh m = input.mesh;
@@ -140,13 +140,13 @@ TEST_CASE("features and boundaries are kept bit by bit", "[reduce][real]") {
   }
 }
 
-TEST_CASE("requad-edit edits pairs, and says why not", "[programs][real]") {
+TEST_CASE("requad-edit edits pairs, or gives the reason for a refusal", "[programs][real]") {
   using nlohmann::json;
   using tests::call;
   const auto path = tests::real_mesh("spot");
   if (!path) return;
   const Surface input = read_surface(*path, false);
-  // A v3 and a v5, and a regular vertex, by their numbers in the file.
+  // The numbers of a v3, a v5 and a regular vertex in the file.
   std::map<int, int> number;
   for (const VertexId v : input.mesh.vertices()) number.emplace(input.mesh.valence(v), input.file_vertex[v.slot()] + 1);
   const std::string three = std::to_string(number.at(3)), four = std::to_string(number.at(4)),
@@ -174,8 +174,8 @@ TEST_CASE("requad-edit edits pairs, and says why not", "[programs][real]") {
   CHECK(json::parse(listed.out)["moves"].size() >= 4);
 }
 
-TEST_CASE("Law editing-21: folds are relaxed, and what is fixed stays", "[smoothing]") {
-  // A flat grid whose inner vertices were thrown about, with a feature across.
+TEST_CASE("Law editing-21: untangling removes folds, and fixed vertices stay", "[smoothing]") {
+  // A flat grid with a feature across it. Its inner vertices are moved far at random.
   std::mt19937 random(1);
   const Region start = tests::grid(12, 10);
   QuadMesh m = start.mesh;
@@ -204,7 +204,7 @@ TEST_CASE("Law editing-21: folds are relaxed, and what is fixed stays", "[smooth
   for (const VertexId v : m.vertices()) {
     if (editor.is_fixed(v)) CHECK(positions[v.slot()] == before[v.slot()]);
   }
-  // Where every vertex is fixed, there is nothing to be done, and nothing is.
+  // If every vertex is fixed, nothing changes.
   FeatureSet all;
   for (const HalfEdgeId h : m.half_edges()) all.insert(m.origin(h), m.target(h));
   positions = before;
@@ -216,7 +216,8 @@ TEST_CASE("Law editing-21: folds are relaxed, and what is fixed stays", "[smooth
 
 namespace {
 
-// A disk whose centre has this many quads, rings of twice as many quads round it: a v3 between each two spokes.
+// A disk whose centre has this many quads, with rings of twice as many quads round it. A v3 lies between every two
+// neighbouring spokes.
 struct Disk {
   QuadMesh mesh;
   Positions positions;
@@ -239,7 +240,7 @@ Disk disk(int spokes, int rings) {
   return d;
 }
 
-// The pairs of irregular vertices that a separatrix joins: those that align_pair() has nothing to do for.
+// The number of pairs of irregular vertices that a separatrix joins. Such a pair is already aligned.
 int aligned_pairs(Editor& editor, std::optional<std::array<VertexId, 2>>& nearest_to_aligned) {
   const auto irregular = irregular_vertices(editor.mesh());
   int aligned = 0;
@@ -274,7 +275,8 @@ TEST_CASE("Figure 15: a disk with 36 v3s round a v36 becomes one with four align
   const ReduceReport report = reduce(editor, how);
   CHECK(report.minimal);
   CHECK(irregular_valences(d.mesh) == std::map<int, int>{{3, 4}});
-  // Align the pair that is nearest to it until the four are the corners of a rectangle: four pairs of six aligned.
+  // The nearest pair is aligned again and again, until the four vertices are the corners of a rectangle. Four of the
+  // six pairs are then aligned.
   std::optional<std::array<VertexId, 2>> next;
   int alignments = 0;
   while (aligned_pairs(editor, next) < 4 && next && alignments < 12) {

@@ -1,4 +1,4 @@
-// Regions, separatrices, pairs read off the mesh.
+// Regions, separatrices and frames of pairs, all read off the mesh.
 #include <cmath>
 
 #include "mesh/irregular/pair_frame.hpp"
@@ -19,7 +19,7 @@ TEST_CASE("sides, turns and curvature (topology-10)", "[region]") {
   CHECK(side_lengths(g) == std::vector<int>{5, 3, 5, 3});
   CHECK(total_turn(g.mesh) == 4);
   CHECK(total_index(g.mesh) == 0);
-  // Equation 1 on closed meshes: the cube has index 8 = 4 chi, the torus 0.
+  // Equation 1 on closed meshes: the index is 4 chi, which is 8 for the cube and 0 for the torus.
   CHECK(total_index(tests::cube()) == 8);
   CHECK(total_index(tests::torus(3, 4)) == 0);
   const auto positions = boundary_positions(g);
@@ -27,7 +27,7 @@ TEST_CASE("sides, turns and curvature (topology-10)", "[region]") {
   CHECK(positions[g.mesh.target(g.root).slot()] == BoundaryPosition{0, 1});
 }
 
-TEST_CASE("what is no convex region is named", "[region]") {
+TEST_CASE("a region that is not convex is refused with the reason", "[region]") {
   // An L of three quads has a concave vertex.
   Region corner{QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}), HalfEdgeId(0)};
   CHECK(region_problem(corner).find("concave") != std::string::npos);
@@ -49,7 +49,7 @@ TEST_CASE("separatrices run straight to the boundary", "[region]") {
   CHECK(trace(tests::cube(), HalfEdgeId(0)).end == Separatrix::End::irregular);
 }
 
-TEST_CASE("frames: extents, both ends, R_alpha", "[region]") {
+TEST_CASE("frames have the right extents from both ends, and the right R_alpha", "[region]") {
   for (const tests::SmallRegion& entry : tests::small_regions(18, false)) {
     const QuadMesh& m = entry.region.mesh;
     const auto irregular = irregular_vertices(m);
@@ -57,7 +57,7 @@ TEST_CASE("frames: extents, both ends, R_alpha", "[region]") {
     const auto frames = find_frames(m, irregular[0], irregular[1]);
     REQUIRE(frames.size() == ((entry.shape.d1 == 0 || entry.shape.d2 == 0) ? 2U : 1U));
     for (const PairFrame& f : frames) {
-      // Extents are named as they are seen from v1, and from v2 they are the same; a segment is d1 or d2.
+      // The extents are the same seen from v1 and from v2. A segment has d1 = 0 or d2 = 0.
       REQUIRE(f.distance() == entry.shape.d1 + entry.shape.d2);
       if (!f.degenerate()) {
         REQUIRE(f.d1 == entry.shape.d1);

@@ -24,13 +24,13 @@ using requad::tests::slurp;
 using requad::tests::spill;
 using requad::tests::Workshop;
 
-TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
+TEST_CASE("requad-edit apply replays, undoes and maps", "[programs][script]") {
   using nlohmann::json;
   std::mt19937 random(3);
   Workshop w(crooked_torus(6, 5));
   w.edit(300, random);
   const std::string in = obj_text(w.input.mesh, w.input.positions), out = obj_text(w.m, w.positions);
-  // An unused vertex in front, which is dropped, so that vertices of the file and of the mesh are not the same.
+  // The file starts with an unused vertex, which is dropped. So the file and the mesh number vertices differently.
   const auto shifted = [](const std::string& text) {
     std::string result = "v 9 9 9\n";
     for (const std::string& line : lines_of(text)) {
@@ -85,7 +85,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   for (json& from : undone["new_vertices_from"]) from = from.get<int>() + 1;
   CHECK(json::parse(slurp(scratch() / "map.json")) == undone);
 
-  // Bad input: exit 2, one line, nothing written.
+  // Bad input ends with exit code 2 and one line, and nothing is written.
   remove_all();
   spill(scratch() / "short.txt", script.substr(0, script.size() / 2));
   spill(scratch() / "broken.txt", replaced(script, "flip_ccw ", "flip_up "));
@@ -110,7 +110,7 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   }
   CHECK(call("edit", "apply in.obj beyond.txt -o made.obj").err.rfind("requad-edit: beyond.txt:", 0) == 0);
 
-  // Features that the script does not know: exit 1, with its line.
+  // Features that the script would break end with exit code 1, and the message names the line.
   std::string edges;
   for (const HalfEdgeId h : w.input.mesh.half_edges()) {
     edges += std::to_string(w.input.mesh.origin(h).index() + 1) + " " +
@@ -125,7 +125,8 @@ TEST_CASE("requad-edit apply: replays, undoes, maps", "[programs][script]") {
   CHECK(none_written());
 }
 
-TEST_CASE("requad-edit --script: what editing commands write can be applied and undone", "[programs][script][real]") {
+TEST_CASE("requad-edit --script: the scripts of editing commands can be applied and undone",
+          "[programs][script][real]") {
   using nlohmann::json;
   const auto path = tests::real_mesh("spot");
   if (!path) return;
@@ -145,7 +146,7 @@ TEST_CASE("requad-edit --script: what editing commands write can be applied and 
     if (!smooths) CHECK(slurp(scratch() / "again.json") == slurp(scratch() / "map.json"));
     REQUIRE(call("edit", "apply made.obj edits.txt --undo -o back.obj --map back.json").code == 0);
     CHECK(slurp(scratch() / "back.obj") == in);
-    // There and back is the identity where it leads anywhere.
+    // The map forth and the map back are inverse to each other, except for elements that were removed.
     const json there = json::parse(slurp(scratch() / "again.json")), back = json::parse(slurp(scratch() / "back.json"));
     for (const char* kind : {"vertices", "faces"}) {
       std::size_t kept = 0;
@@ -158,7 +159,7 @@ TEST_CASE("requad-edit --script: what editing commands write can be applied and 
       CHECK(kept + back[std::string("new_") + kind].size() == there[kind].size());
     }
   }
-  // The script on standard output takes the place of the report.
+  // A script on standard output replaces the report.
   const std::string cancel = "cancel " + *path + pair + " -o made.obj";
   const auto shown = call("edit", cancel + " --script -");
   CHECK(shown.code == 0);

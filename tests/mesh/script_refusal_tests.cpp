@@ -1,4 +1,4 @@
-// Edit scripts that are refused: where, why, and that nothing is changed then.
+// Edit scripts that are refused. The message names the place and the reason, and nothing is changed.
 #include <algorithm>
 #include <random>
 
@@ -19,7 +19,7 @@ using requad::tests::Workshop;
 
 namespace {
 
-// What is said of a script that is parsed, and replayed on a copy of the surface; "" if nothing is.
+// Parses a script and replays it on a copy of the surface. Returns the message of a refusal; "" if there is none.
 std::string complaint(const Surface& surface, const std::string& text) {
   Workshop again(surface);
   const auto untouched = [&] {
@@ -45,8 +45,8 @@ std::string complaint(const Surface& surface, const std::string& text) {
 TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   const Surface surface = crooked_torus(4, 4);
   Workshop w(surface);
-  // A split, which makes vertex 16 and face 16, a vertex that moves, a collapse that removes vertex 0 or another, a
-  // flip.
+  // The script has a split, which makes vertex 16 and face 16; a vertex that moves; a collapse, which removes a vertex;
+  // and a flip.
   const VertexId v = surface.mesh.origin(HalfEdgeId(0));
   REQUIRE(
       w.editor.run({BasicOperation::Kind::split, HalfEdgeId(0), QuadMesh::previous(surface.mesh.ccw(HalfEdgeId(0))), 2})
@@ -57,14 +57,14 @@ TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   const std::string good = to_string(w.record());
   REQUIRE(complaint(surface, good).empty());
   const std::vector<std::string> lines = lines_of(good);
-  REQUIRE(lines.size() == 9);  // two before; split, place of v; place; collapse, place; flip; end
+  REQUIRE(lines.size() == 9);  // two for the head; split, place; place; collapse, place; flip; end
   CHECK(lines[2].rfind("split 0 ", 0) == 0);
   CHECK(lines[3].rfind("place " + std::to_string(v.index()) + " ", 0) == 0);
   CHECK(lines[4].rfind("place 5 1 2 -0 from ", 0) == 0);
   CHECK(lines[5].rfind("collapse 40 removes ", 0) == 0);
   CHECK(lines[7] == "flip_ccw 25");
 
-  // What does not count.
+  // Comments, blank lines and line ends do not count.
   std::string other = "\xEF\xBB\xBF# one\r\n\r\n";
   for (const std::string& line : lines) other += line + "  # why\r\n\r\n";
   CHECK(complaint(surface, other).empty());
@@ -119,7 +119,7 @@ TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   std::swap(wrong.h, wrong.last);
   CHECK(after(to_string(undo), to_string(wrong)) == "6: the operation is undone by " + to_string(undo));
 
-  // Cut short at any place, from the last line's end on.
+  // A script that is cut short at any place before the end of its last line is refused.
   for (std::size_t length = 0; length + 1 < good.size(); ++length) {
     INFO("the first " << length << " characters");
     CHECK_FALSE(complaint(surface, good.substr(0, length)).empty());
@@ -131,7 +131,8 @@ TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
         "9: the lines before lead to 16 vertices and 16 faces; expected what they lead to");
   CHECK(after(end_line, "end 16 16 0123456789abcdef") == " the script does not lead to the mesh that it says");
 
-  // Another mesh: other sizes, other positions, the faces in another order; and a result that is none.
+  // Another mesh is refused: other sizes, other positions, or another order of the faces. So is a result that is not
+  // the script's.
   CHECK(complaint(crooked_torus(5, 4), good) ==
         " the script belongs to another mesh, of 16 vertices and 16 faces; this one has 20 vertices and 20 faces");
   Surface moved = surface;
@@ -151,12 +152,12 @@ TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   no_result = moved;
   CHECK_THROWS_WITH(restore_ids(parse_script(good, "script"), no_result), "script:" + as_many);
   CHECK(no_result.mesh == surface.mesh);
-  // Without the ids that it had, the result is not what the inverse goes on from.
+  // The inverse refuses the result unless it has its earlier ids.
   Workshop compact(made);
   CHECK_THROWS_AS(replay(compact.editor, inverse(parse_script(good, "script"))), FileError);
   CHECK(compact.m == made.mesh);
 
-  // A face collapses twice, and a split makes it again: the numbers agree, the mesh does not.
+  // A face collapses twice, and a split makes it again. The numbers agree with the mesh, but the mesh does not.
   Script twice = parse_script(good, "script");
   twice.changes[3].vertex = twice.changes[0].vertex;
   Surface result = made;
@@ -164,7 +165,7 @@ TEST_CASE("Law editing-14: scripts that are refused, and where", "[script]") {
   CHECK_THROWS_AS(restore_ids(twice, result), FileError);
 }
 
-TEST_CASE("Law editing-14: free ids in another order are another mesh to a script", "[script]") {
+TEST_CASE("Law editing-14: a mesh whose free ids have another order is refused", "[script]") {
   Workshop w(crooked_torus(4, 4));
   for (const int h : {4 * 5 + 1, 4 * 2})
     REQUIRE(w.editor.run({BasicOperation::Kind::collapse, HalfEdgeId(h), {}, 0}).refusal == Refusal::none);
@@ -223,7 +224,7 @@ TEST_CASE("Law editing-14: a broken script changes nothing, however it is broken
   CHECK(refused > 2000);
 }
 
-TEST_CASE("Features and boundaries stand against a script", "[script]") {
+TEST_CASE("a script that would change features or boundaries is refused", "[script]") {
   const Region region = tests::grid(4, 4);
   Positions positions;
   for (int v = 0; v < 25; ++v) positions.push_back({v / 5 * 1.0, v % 5 * 1.0, 0});
@@ -240,7 +241,7 @@ TEST_CASE("Features and boundaries stand against a script", "[script]") {
     again.features.insert(edge ? a : b, edge ? VertexId(11) : VertexId(14));
     if (edge) again.features.insert(a, VertexId(7));
     const Replay result = replay(again.editor, script);
-    // The flip leaves a's other edges; that b is on a feature keeps it where it is.
+    // The flip keeps the other edges of a. Vertex b stays in its place, since it is on a feature.
     CHECK(result.refusal == (edge ? Refusal::none : FeatureRefusal::moves_feature));
     CHECK(result.line == (edge ? 0 : 4));
     CHECK((again.m == surface.mesh) == !edge);

@@ -1,5 +1,5 @@
-// Edit scripts: random ones on every real mesh, written, replayed and undone to the last bit; maps of elements against
-// bookkeeping by hand.
+// Edit scripts: random scripts on every real mesh are written, replayed and undone to the last bit. Maps of elements
+// are compared with records that the test keeps by itself.
 #include <algorithm>
 #include <map>
 #include <random>
@@ -94,15 +94,15 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A map follows elements through ids that are used again", "[script]") {
+TEST_CASE("a map follows elements through ids that are used again", "[script]") {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     INFO("seed " << seed);
     std::mt19937 random(seed);
     Workshop w(crooked_torus(5, 4));
-    // By hand: after each operation an id that is no longer, or newly, live has lost its element.
+    // The test's record: if an operation removes or makes an id, the id loses its earlier element.
     std::vector<int> vertex(20), face(20);
     for (int i = 0; i < 20; ++i) vertex[static_cast<std::size_t>(i)] = face[static_cast<std::size_t>(i)] = i;
-    // What each id goes back to: a vertex to the one it was split off, a face to the one it was opened beside.
+    // The origin of each id: for a vertex, the one that it was split off; for a face, the one beside which it opened.
     std::map<int, int> vertex_from, face_from;
     for (int i = 0; i < 20; ++i) vertex_from[i] = face_from[i] = i;
     int reused = 0;
@@ -144,7 +144,7 @@ TEST_CASE("A map follows elements through ids that are used again", "[script]") 
     check(map.vertices, vertex, w.m.vertices(), vertex_from);
     check(map.faces, face, w.m.faces(), face_from);
 
-    // Undoing from the file maps back what there is to map, and nothing else.
+    // Undoing from the file maps exactly the remaining elements back.
     const Script script = w.record();
     Surface output = read_back(obj_text(w.m, w.positions));
     restore_ids(script, output);

@@ -1,4 +1,4 @@
-// Sectors of fixed vertices: Law editing-6, what angles ask for, and transports that repair features and boundaries.
+// Sectors of fixed vertices: Law editing-6, plans from angles, and transports that repair features and boundaries.
 #include <map>
 #include <numeric>
 #include <random>
@@ -16,7 +16,7 @@ using namespace requad::mesh;
 
 namespace {
 
-// A grid in the plane with its boundary, and a feature down the middle column and along the middle row.
+// A plane grid with its boundary, and features along the middle column and the middle row.
 struct Sheet {
   QuadMesh mesh;
   Positions positions;
@@ -38,8 +38,9 @@ Sheet sheet(int columns, int rows) {
   return s;
 }
 
-// The sum of the excesses over each patch, by brute force: a patch by its least face, which is merged with every face
-// beyond an edge that is no feature; 4 - excess = its faces' corners less those intended, vertex by vertex.
+// The sum of the excesses over each patch, by brute force. A patch is named by its least face. Faces on both sides of
+// an edge that is no feature belong to one patch. At each vertex, the corners of the patch's faces are counted and
+// compared with the intended number.
 std::map<int, int> patch_sums(const QuadMesh& m, const FeatureSet& features, const SectorPlan& plan) {
   std::vector<int> patch(static_cast<std::size_t>(m.face_capacity()));
   std::iota(patch.begin(), patch.end(), 0);
@@ -64,7 +65,7 @@ std::map<int, int> patch_sums(const QuadMesh& m, const FeatureSet& features, con
     if (!m.is_boundary(h) && !features.is_edge(m.origin(h), m.target(h))) continue;
     planned[find(QuadMesh::face(h).index())] += plan.get(m.origin(h), m.target(h)).value();
   }
-  // Ids of faces go and come: patches are told apart by their planned corners' place in order of sums.
+  // Ids of faces change, so the sums of the patches are compared in sorted order.
   std::map<int, int> sums;
   for (const auto& [p, count] : corners) sums[p] = count - 4 * free[p] - planned[p];
   return sums;
@@ -100,11 +101,11 @@ void check_kept(const QuadMesh& m, const Positions& positions, const FeatureSet&
 
 }  // namespace
 
-TEST_CASE("Sectors: sizes, starts and excess by hand", "[sectors]") {
+TEST_CASE("sectors have the sizes, starts and excesses that are counted by hand", "[sectors]") {
   const Sheet s = sheet(4, 4);
   SectorPlan plan = plan_by_angles(s.mesh, s.features, s.positions);
   const Sectors sectors(s.mesh, &s.features, &plan);
-  std::map<int, int> sizes;  // how many sectors of fixed vertices have each size
+  std::map<int, int> sizes;  // the number of sectors of fixed vertices of each size
   int count = 0;
   for (const VertexId v : s.mesh.vertices()) {
     CHECK_FALSE(sectors.is_irregular(v));
@@ -115,22 +116,23 @@ TEST_CASE("Sectors: sizes, starts and excess by hand", "[sectors]") {
       CHECK(sectors.excess(h) == 0);
     });
   }
-  // Corners 4 x 1, ends of features 4 x two of 1, their crossing four of 1; boundary 8 x 2, features 4 x two of 2.
+  // Size 1: one sector at each of 4 corners, two at each of 4 ends of features, four at the crossing. Size 2: one at
+  // each of 8 boundary vertices, two at each of 4 feature vertices.
   CHECK(sizes == std::map<int, int>{{1, 4 + 8 + 4}, {2, 8 + 8}});
   CHECK(sectors.is_minimal());
-  // A corner that should have two quads lacks one, and nothing else changes.
+  // If a corner should have two quads, it lacks one. Nothing else changes.
   plan.set(VertexId(0), s.mesh.target(s.mesh.out(VertexId(0))), 2);
   CHECK(sectors.lacks(VertexId(0)));
   CHECK_FALSE(sectors.exceeds(VertexId(0)));
   CHECK(irregular_count(sectors, s.mesh) == 1);
   CHECK(sectors.is_minimal());
-  // One patch with both signs is enough, two patches with one each are not.
+  // The plan is not minimal if one patch has both signs. It is minimal if each of two patches has one sign.
   SectorPlan both = plan, apart = plan;
   both.set(VertexId(1), VertexId(2), 1);
   CHECK_FALSE(Sectors(s.mesh, &s.features, &both).is_minimal());
   apart.set(VertexId(3), VertexId(4), 1);
   CHECK(Sectors(s.mesh, &s.features, &apart).is_minimal());
-  // Without a plan nothing fixed may change or has excess.
+  // Without a plan, no fixed vertex may change, and none has an excess.
   const Sectors without(s.mesh, &s.features);
   CHECK_FALSE(without.may_change(VertexId(0)));
   CHECK_FALSE(without.is_irregular(VertexId(0)));
@@ -142,7 +144,7 @@ TEST_CASE("Law editing-6: no operation changes the sum of the excesses over a pa
     std::mt19937 random(seed);
     Sheet s = sheet(8, 6);
     SectorPlan plan = plan_by_angles(s.mesh, s.features, s.positions);
-    // Other wishes, so that the patches differ.
+    // The plans are changed, so that the patches differ.
     plan.set(VertexId(0), VertexId(1), 3);
     plan.set(VertexId(7), VertexId(8), 5);
     const QuadMesh before = s.mesh;
@@ -153,7 +155,7 @@ TEST_CASE("Law editing-6: no operation changes the sum of the excesses over a pa
     for (int i = 0; i < 400; ++i) {
       if (editor.run(tests::random_operation(s.mesh, random)).refusal != Refusal::none) continue;
       REQUIRE(sorted_sums(s.mesh, s.features, plan) == sums);
-      // Excess, vertex by vertex, adds up to the same.
+      // The excesses of all vertices have the same sum.
       int total = 0;
       for (const VertexId v : s.mesh.vertices())
         editor.sectors().for_each_sector(v, [&](HalfEdgeId h) { total += editor.sectors().excess(h); });
@@ -164,7 +166,7 @@ TEST_CASE("Law editing-6: no operation changes the sum of the excesses over a pa
   }
 }
 
-TEST_CASE("A disturbed sheet is repaired up to its features and boundary", "[sectors][reduce]") {
+TEST_CASE("a disturbed sheet is repaired up to its features and boundary", "[sectors][reduce]") {
   int repaired = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     INFO("seed " << seed);
@@ -184,7 +186,8 @@ TEST_CASE("A disturbed sheet is repaired up to its features and boundary", "[sec
     const ReduceReport report = reduce(editor, {});
     CHECK(report.before == before);
     CHECK(report.after == irregular_count(editor.sectors(), s.mesh));
-    // Each patch sums to 0, so it could become regular but for a lone 3-5 pair, which Theorem 7.4 keeps.
+    // The sum over each patch is 0. So the patch becomes regular, except for a lone 3-5 pair, which cannot be cancelled
+    // (Theorem 7.4).
     CHECK(2 * report.after < before);
     int fixed_left = 0;
     for (const VertexId v : s.mesh.vertices())
@@ -195,7 +198,7 @@ TEST_CASE("A disturbed sheet is repaired up to its features and boundary", "[sec
   CHECK(repaired >= 8);
 }
 
-TEST_CASE("With features kept, a disturbed fandisk loses more than half of its irregular vertices",
+TEST_CASE("a disturbed fandisk keeps its features and loses more than half of its irregular vertices",
           "[sectors][reduce][real]") {
   const auto path = tests::real_mesh("fandisk_bommes");
   if (!path) return;

@@ -1,4 +1,4 @@
-// Signatures: canonical under renaming, distinct for distinct meshes, a mesh can be rebuilt.
+// Signatures: they do not depend on names, differ for different meshes, and allow the mesh to be rebuilt.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -24,7 +24,7 @@ TEST_CASE("signatures do not depend on names (topology-11)", "[signature]") {
 }
 
 TEST_CASE("every vertex numbering of a small mesh gives one signature", "[signature]") {
-  // Exhaustive: all 6! numberings of a 2 x 1 grid, all 12 rotations-and-orders of its faces being within.
+  // All 6! numberings of the vertices of a 2 x 1 grid are tested.
   const Region g = tests::grid(2, 1);
   const std::string expected = signature(g);
   std::array<int, 6> name{0, 1, 2, 3, 4, 5};
@@ -44,7 +44,7 @@ TEST_CASE("signatures tell configurations apart and rebuild them (topology-12)",
   for (const tests::SmallRegion& entry : tests::small_regions(16, true, tests::Roots::each_corner)) {
     const std::string text = signature(entry.region);
     INFO(text);
-    // Different configurations of one region must differ; so must different regions.
+    // Signatures of different configurations of one region must differ, and so must those of different regions.
     CHECK(seen.insert(text).second);
     const Region rebuilt = from_signature(text);
     CHECK(validate(rebuilt.mesh).empty());
@@ -53,8 +53,9 @@ TEST_CASE("signatures tell configurations apart and rebuild them (topology-12)",
   }
 }
 
-TEST_CASE("closed meshes have signatures; roots that correspond give the same one", "[signature]") {
-  // The cube looks the same from each of its 24 half-edges, mirrored too; a 4 x 5 torus from all 80 of two kinds.
+TEST_CASE("closed meshes have signatures, and equivalent roots give the same one", "[signature]") {
+  // The cube looks the same from each of its 24 half-edges, and so does its mirror image. A 4 x 5 torus has two kinds
+  // of half-edges.
   const QuadMesh c = tests::cube();
   std::set<std::string> cube_signatures;
   for (const HalfEdgeId h : c.half_edges()) {
@@ -74,7 +75,7 @@ TEST_CASE("closed meshes have signatures; roots that correspond give the same on
 
 namespace {
 
-// As the header defines it: the least of all, by the library's own rooted signatures.
+// The canonical signature by its definition: the least of all rooted signatures.
 std::string least_signature(const QuadMesh& m, Orientation orientation) {
   using VertexKind = std::pair<bool, int>;
   const auto kind = [&m](VertexId v) { return VertexKind{m.is_boundary(v), m.face_valence(v)}; };
@@ -93,11 +94,11 @@ std::string least_signature(const QuadMesh& m, Orientation orientation) {
 
 }  // namespace
 
-TEST_CASE("the canonical signature is the least, whatever symmetries spare (topology-13)", "[signature]") {
+TEST_CASE("the canonical signature is the least one, although symmetries save work (topology-13)", "[signature]") {
   std::mt19937 random(8);
   std::vector<QuadMesh> meshes{tests::cube(), tests::torus(3, 3), tests::torus(4, 4), tests::torus(4, 6),
                                tests::torus(3, 8)};
-  // Without symmetry; and with one, half-way round a torus, and several orbits of roots.
+  // `m` usually loses its symmetries. `even` keeps one, half-way round the torus, and has several orbits of roots.
   for (int i = 0; i < 40; ++i) {
     QuadMesh m = meshes[static_cast<std::size_t>(i) % 5];
     QuadMesh even = tests::torus(8, 5);
@@ -120,7 +121,7 @@ TEST_CASE("the canonical signature is the least, whatever symmetries spare (topo
       REQUIRE(canonical_signature(tests::relabel(m, random).mesh, orientation) == least);
     }
   }
-  // 160,000 roots of 40,000 quads each: an hour, if each were tried.
+  // 160,000 roots of 40,000 quads would take an hour if each one were tried.
   const QuadMesh large = tests::torus(200, 200);
   CHECK(canonical_signature(large) == signature(large, large.half_edges().front()));
 }
@@ -137,7 +138,7 @@ TEST_CASE("mirrored signatures are those of the mirrored mesh", "[signature]") {
 }
 
 TEST_CASE("orbits under the boundary's symmetries", "[signature]") {
-  // A 3 x 3 grid looks the same from all four corners, a 3 x 2 grid from opposite ones.
+  // A 3 x 3 grid looks the same from all four corners, a 3 x 2 grid only from opposite ones.
   CHECK(rotated_signatures(tests::grid(3, 3)).size() == 4);
   CHECK(rotated_signatures(tests::grid(3, 2)).size() == 2);
   CHECK(reflected_signatures(tests::grid(3, 3)).size() == 4);
@@ -160,7 +161,7 @@ TEST_CASE("texts that are no signatures are refused in one line", "[signature]")
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
   }
-  // Any one letter changed: refused, or another mesh.
+  // With one letter changed, the text is refused or gives another mesh.
   for (std::size_t i = 0; i < good.size(); ++i) {
     for (const char letter : {'0', '1', '2', '5', 'b', 'Z', '_'}) {
       std::string text = good;

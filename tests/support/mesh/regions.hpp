@@ -2,7 +2,7 @@
 // theory/ nor enumerate/; tests/enumerate/census_tests.cpp checks that these are the regions that the theory lists.
 //
 // Terms
-//   core     the grid of quads that two irregular vertices span, with v1 and v2 at opposite corners. The core has d2 quads
+//   core     the grid of quads that two irregular vertices v1, v2 span, as opposite corners. The core has d2 quads
 //            along v1's first leg, and d1 quads along the second leg, which comes next counter-clockwise. It is a
 //            segment if d1 or d2 is 0.
 //   strips   the numbers of strips of quads between the core and each side of the region, 1 or more.
