@@ -1,4 +1,4 @@
-// The census of mesh/'s own tests against the one that theory/ lists and enumerate/ glues: the same regions with a pair.
+// Two censuses of regions with a pair: that of the tests of mesh/, and the one that theory/ lists and enumerate/ glues.
 #include <set>
 #include <string>
 
@@ -9,7 +9,7 @@
 
 using namespace requad;
 
-TEST_CASE("regions grown without the theory are those that the theory lists", "[census]") {
+TEST_CASE("regions that are grown without theory/ are those that theory/ lists", "[census]") {
   for (const bool with_merged : {false, true}) {
     std::set<std::string> listed, grown;
     for (const tests::CensusEntry& entry : tests::census(18, with_merged)) {

@@ -17,8 +17,8 @@ using namespace requad;
 using namespace requad::mesh;
 using requad::tests::irregular_valences;
 
-TEST_CASE("Transport goes as the pair moves do where nothing is in the way", "[transport]") {
-  // Transport reaches every configuration that pair moves reach in one step, and no other.
+TEST_CASE("where nothing is in the way, transport gives the same as pair moves", "[transport]") {
+  // Every transport leads to a configuration that moves found. At some, transports reach all that a pair move reaches.
   const theory::Configuration start{{1, 1, theory::IntegerVector::Constant(6, 2)}, 1};
   const auto found = enumerate::explore({theory::kHexagon, theory::region_sides(theory::kHexagon, start)},
                                         {enumerate::glue_region(theory::kHexagon, start)});
@@ -58,8 +58,8 @@ TEST_CASE("Transport goes as the pair moves do where nothing is in the way", "[t
   CHECK(same > 0);
 }
 
-TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without", "[complementary]") {
-  // 6,6,6 has 75 fillings with 3-3-5 and one with a single v3 (exhaustive search).
+TEST_CASE("section 8: a 3-5 pair is cancelled with a third vertex, and never without one", "[complementary]") {
+  // By exhaustive search, a triangle of side 6 has 75 fillings with 3-3-5, and one with a single v3.
   enumerate::SearchLimits limits;
   limits.threads = 1;
   int fillings = 0;
@@ -88,7 +88,7 @@ TEST_CASE("Section 8: a 3-5 pair is cancelled with a third vertex, never without
   CHECK(fillings == 75);
 }
 
-TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
+TEST_CASE("section 8: pairs are merged and aligned, or refused with the reason", "[complementary]") {
   const auto irregular_of = [](const QuadMesh& m) { return irregular_vertices(m); };
   for (const auto& [type, merged] : {std::pair{theory::kDigon, 2}, std::pair{theory::kHexagon, 6}}) {
     for (const theory::Configuration& c : theory::parameter_set(theory::RegionShape::regular(type, 7 + merged % 4))) {
@@ -105,7 +105,7 @@ TEST_CASE("Section 8: merging and aligning, and why not", "[complementary]") {
       if ((c.d1() + c.d2()) % 2 == 0) {
         REQUIRE(result.refusal == Refusal::none);
         CHECK(irregular_valences(m) == std::map<int, int>{{merged, 1}});
-        // Back into a pair, at once (Figure 5).
+        // One operation parts the vertex into a pair again (Figure 5).
         CHECK(part_vertex(editor, irregular_of(m)[0]) == Refusal::none);
         CHECK(irregular_valences(m) == std::map<int, int>{{merged == 2 ? 3 : 5, 2}});
       } else {

@@ -1,4 +1,4 @@
-// Generators against each other, exploration, realisation, graph output.
+// Generators, which are compared with each other; exploration, realisation and graph output.
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/isomorphism.hpp>
 
@@ -15,7 +15,7 @@ using namespace requad;
 using namespace requad::enumerate;
 using requad::tests::sides;
 
-TEST_CASE("enumerate-1: three generators agree rel boundary", "[generators]") {
+TEST_CASE("enumerate-1: three generators make the same mesh", "[generators]") {
   for (const tests::CensusEntry& entry : tests::census(18, true)) {
     INFO(entry.shape.type().name() << " " << theory::label(entry.shape.type(), entry.configuration));
     REQUIRE(mesh::validate(entry.region.mesh).empty());
@@ -28,7 +28,7 @@ TEST_CASE("enumerate-1: three generators agree rel boundary", "[generators]") {
     REQUIRE(mesh::signature(grow_region(entry.shape.type(), entry.configuration)) == expected);
     const auto start = simplest_configuration(entry.shape);
     REQUIRE(mesh::signature(realise(entry.shape, start, entry.configuration).region) == expected);
-    // And the labels read off the mesh are the ones it was made from.
+    // The labels that are read off the mesh are those from which it was made.
     const Reading reading = read(entry.region, entry.shape.type());
     REQUIRE(reading.problem.empty());
     REQUIRE(reading.configuration == entry.configuration);
@@ -64,12 +64,13 @@ TEST_CASE("enumerate-2: exploration finds tau(9) = 16 configurations from any of
   const auto json =
       graph_json(explore_all({theory::kDigon, sides({9, 9})}, theory::Apex::without), theory::Apex::without);
   CHECK(json["nodes"].size() == 16);
-  CHECK(json["edges"].size() == 28);  // levels 1, 3, 5, 7 of as many edges, 2 + 4 + 6 between them
+  CHECK(json["edges"].size() == 28);  // level s = 1, 3, 5, 7 has s edges; 2 + 4 + 6 lie between levels
   CHECK(json["components"] == 1);
 }
 
 TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[exploration]") {
-  // An independent judge of the label-wise comparison in requad-verify; hexagons have no parallel edges and no loops.
+  // requad-verify compares graphs by labels; this test does not. Graphs of hexagons have no parallel edges and no
+  // loops.
   for (const auto length : {3, 4, 5, 6}) {
     const auto s = theory::IntegerVector::Constant(6, length).eval();
     const auto found = found_graph(explore_all({theory::kHexagon, s}, theory::Apex::with), theory::Apex::with);
@@ -79,13 +80,13 @@ TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[explo
   }
 }
 
-TEST_CASE("graph output in three formats", "[exploration]") {
+TEST_CASE("graphs are written in three formats", "[exploration]") {
   const Exploration found = explore_all({theory::kDigon, sides({6, 6})}, theory::Apex::with);
   const auto with = graph_json(found, theory::Apex::with);
   const auto without = graph_json(found, theory::Apex::without);
   CHECK(with["nodes"].size() == 7);
   CHECK(without["nodes"].size() == 6);
-  CHECK(with["edges"].size() == without["edges"].size() + 1);  // the apex hangs on (1,1) by one edge
+  CHECK(with["edges"].size() == without["edges"].size() + 1);  // one edge joins the apex to (1,1)
   for (const auto& node : without["nodes"]) {
     for (const char* key : {"d1", "d2", "p", "faces"}) CHECK(node.contains(key));
     CHECK(node["p"] == 0);
@@ -93,7 +94,7 @@ TEST_CASE("graph output in three formats", "[exploration]") {
   const std::string dot = graph_dot(found, theory::Apex::without);
   CHECK(dot.find("graph G {") != std::string::npos);
   CHECK(graph_graphml(found, theory::Apex::without).find("<graphml") != std::string::npos);
-  // Where there is no configuration the graph is empty, not an error.
+  // If there is no configuration, the graph is empty. This is no error.
   const auto none =
       graph_json(explore_all({theory::kQuad, sides({5, 4, 5, 4})}, theory::Apex::without), theory::Apex::without);
   CHECK(none["nodes"].empty());
@@ -101,7 +102,7 @@ TEST_CASE("graph output in three formats", "[exploration]") {
 }
 
 TEST_CASE("paths are shortest", "[exploration]") {
-  // From (1,1) to (5,1) in a digon of side 8: two levels up and back to the same difference need four steps.
+  // From (1,1) to (5,1) in a digon of side 8, m + n and m - n both grow by 4. Each step changes only one of them, by 2.
   const auto s = sides({8, 8});
   const auto all = theory::parameter_set({theory::kDigon, s});
   const auto at = [&](theory::Integer d1, theory::Integer d2) {
@@ -111,7 +112,7 @@ TEST_CASE("paths are shortest", "[exploration]") {
   CHECK(made.path.size() == 5);
   CHECK(made.moves.size() == 4);
   CHECK(mesh::signature(made.region) == mesh::signature(glue_region(theory::kDigon, at(5, 1))));
-  // The script alone, on the start's mesh, does the same.
+  // The operations alone make the same mesh from the first one.
   mesh::Region replay = glue_region(theory::kDigon, at(1, 1));
   CHECK(mesh::apply_all(replay.mesh, made.operations) == mesh::Refusal::none);
   CHECK(mesh::signature(replay) == mesh::signature(made.region));

@@ -1,5 +1,5 @@
-// The pair-move harness: every move of every configuration of every region of perimeter <= 16, judged by what theory
-// predicts and what the glued region of the predicted result looks like.
+// Every pair move of every configuration of every region of perimeter <= 16. The result is compared with the glued
+// region of the configuration that theory/ predicts.
 #include "enumerate/generators.hpp"
 #include "enumerate/labels.hpp"
 #include "mesh/irregular/pair_moves.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
     const auto map = theory::configuration_map(entry.shape, theory::Apex::with);
     const int node = map.find(entry.configuration);
     REQUIRE(node >= 0);
-    // Signatures of the neighbours that theory predicts, a multiset.
+    // The signatures of the neighbours that theory/ predicts, as a multiset.
     std::multiset<std::string> expected;
     int impossible = 0;
     for (const theory::Dart& dart : map.nodes[static_cast<std::size_t>(node)].moves) {
@@ -54,33 +54,33 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       if (report.refusal != Refusal::none) {
         REQUIRE(after.mesh == before);
         REQUIRE(report.operations.empty());
-        // In a region nothing but the boundary is in the way.
+        // In such a region, only the boundary can be in the way.
         REQUIRE((report.refusal == EditRefusal::touches_boundary || report.refusal == Refusal::boundary_corner));
         ++refused_here;
         continue;
       }
       ++made;
       identities += report.operations.empty() ? 1 : 0;
-      // One of the predicted neighbours, each as often as predicted.
+      // The result is one of the predicted neighbours. Each occurs as often as predicted.
       const auto it = expected.find(signature(after));
       REQUIRE(it != expected.end());
       expected.erase(it);
 
-      // The script alone does the same; on its way every mesh is valid, at most four vertices are irregular, and no
-      // boundary vertex ever changes its valence.
-      QuadMesh step = before;
+      // The operations alone make the same mesh. Every mesh on the way is valid, has at most four irregular vertices,
+      // and has the same valences on the boundary.
+      QuadMesh on_the_way = before;
       for (const BasicOperation& op : report.operations) {
-        for (const VertexId v : changed_vertices(step, op)) {
-          if (v.valid()) REQUIRE_FALSE(step.is_boundary(v));
+        for (const VertexId v : changed_vertices(on_the_way, op)) {
+          if (v.valid()) REQUIRE_FALSE(on_the_way.is_boundary(v));
         }
-        REQUIRE(apply(step, op).refusal == Refusal::none);
-        REQUIRE(validate(step).empty());
-        REQUIRE(irregular_vertices(step).size() <= 4);
+        REQUIRE(apply(on_the_way, op).refusal == Refusal::none);
+        REQUIRE(validate(on_the_way).empty());
+        REQUIRE(irregular_vertices(on_the_way).size() <= 4);
       }
-      REQUIRE(step == after.mesh);
+      REQUIRE(on_the_way == after.mesh);
       REQUIRE(report.faces_made() - report.faces_deleted() == after.mesh.face_count() - before.face_count());
 
-      // Undo restores the arrays; the inverse move leads back, also after renaming everything.
+      // Undoing restores the arrays. The inverse move leads back, even after all elements were renamed.
       QuadMesh undone = after.mesh;
       REQUIRE(apply_all(undone, report.undo) == Refusal::none);
       REQUIRE(undone == before);
@@ -95,7 +95,7 @@ TEST_CASE("every pair move of every region of perimeter <= 16", "[pair moves]") 
       const VertexId root = other.mesh.origin(other.half_edge[after.root.slot()]);
       REQUIRE(signature(returned, returned.out(root)) == signature(entry.region));
     }
-    // Every predicted step was realised, every other refused.
+    // Every predicted step was made, and every other one was refused.
     REQUIRE(expected.empty());
     REQUIRE(refused_here == impossible);
     refused += refused_here;
@@ -114,7 +114,7 @@ TEST_CASE("moves out of an irregular vertex's reach or of the wrong kind are ref
 }
 
 TEST_CASE("a third irregular vertex in the way stops a move and leaves the mesh as it was", "[pair moves]") {
-  // A 3-3 pair well inside a large digon; then a flip next to the path of a move makes 3-3-5-5 there.
+  // A 3-3 pair lies well inside a large digon. A flip next to the path of a move then makes 3-3-5-5 there.
   theory::Configuration c;
   c.parameters = {3, 2, theory::IntegerVector::Constant(2, 6)};
   const Region region = enumerate::glue_region(theory::kDigon, c);

@@ -1,4 +1,4 @@
-// Drawings of all the regions that theory/ lists and of some that the search finds.
+// Drawings of all regions that theory/ lists, and of some that the search finds.
 #include <optional>
 
 #include "enumerate/generators.hpp"
@@ -24,14 +24,14 @@ TEST_CASE("drawings of all regular regions up to side 12 (geometry-7)", "[drawin
       }
     }
   }
-  // Theorems 7.2 and 7.3: N (N - 1) or N^2, N = L / 2, and one merged vertex for each even side.
+  // Theorems 7.2 and 7.3: N (N - 1) or N^2 configurations, where N = floor(L / 2), and a merged vertex if L is even.
   CHECK(digons == 0 + 1 + 2 + 4 + 6 + 9 + 12 + 16 + 20 + 25 + 30 + 6);
   CHECK(hexagons == 3 * (0 + 1 + 2 + 4 + 6 + 9 + 12 + 16 + 20 + 25 + 30) + 6);
 }
 
 TEST_CASE("drawings of other regions", "[drawing]") {
   for (const tests::CensusEntry& entry : tests::census(18, true)) check_drawing(entry.region, 0.3);
-  // A lone vertex in a triangle, a pentagon and an octagon; three irregular vertices; a drop; a circle.
+  // A single vertex in a triangle, a pentagon and an octagon; three irregular vertices; a drop; a circle.
   const auto search_and_check = [](const enumerate::SearchProblem& problem, std::optional<int> faces, int at_least) {
     enumerate::SearchLimits limits;
     limits.threads = 1;

@@ -1,4 +1,4 @@
-// Searches that are stopped and gone on with: whenever and however often that is, they find what one run finds.
+// Searches that are stopped and continued. They find the same as one run, whenever and however often they are stopped.
 #include "enumerate/search/search.hpp"
 #include "enumerate/search/spheres.hpp"
 #include "mesh/program/errors.hpp"
@@ -18,7 +18,7 @@ using tests::spill;
 
 namespace {
 
-// Stops at every look, and is out of time at once.
+// Limits without any time: a search with these stops each time it looks at the clock.
 SearchLimits hurried(int threads) {
   SearchLimits limits;
   limits.threads = threads;
@@ -26,7 +26,7 @@ SearchLimits hurried(int threads) {
   return limits;
 }
 
-// Of "a run", and written at every look.
+// A journal of "a run", to which a search appends each time it looks at the clock.
 SearchJournal journal_at(const std::string& name) { return {(scratch() / name).string(), "a run", 0}; }
 
 void append(const SearchJournal& journal, const JournalFile::Record& record) {
@@ -44,7 +44,7 @@ void check_same(const CountedSearch& a, const CountedSearch& b) {
   CHECK(a.signatures == b.signatures);
 }
 
-// What a search writes that found nothing and has this left.
+// The record of a search that found nothing and has this left.
 JournalFile::Record nothing_found(const JournalFile::Record& left) {
   const auto none = JournalFile::Record::array();
   return {
@@ -54,7 +54,7 @@ JournalFile::Record nothing_found(const JournalFile::Record& left) {
       {"left", left}};
 }
 
-// What is wrong with a journal of this search; "" if nothing.
+// The message by which the journal of a search is refused; "" if it is accepted.
 std::string refusal(const SearchProblem& problem, const SearchJournal& journal) {
   try {
     count_fillings(problem, {}, false, journal);
@@ -66,7 +66,7 @@ std::string refusal(const SearchProblem& problem, const SearchJournal& journal) 
 
 }  // namespace
 
-TEST_CASE("a search that stops at every look finds what one at once does", "[search][journal]") {
+TEST_CASE("a search that stops again and again finds the same as one run", "[search][journal]") {
   struct Case {
     SearchProblem problem;
     std::optional<int> faces;
@@ -75,7 +75,7 @@ TEST_CASE("a search that stops at every look finds what one at once does", "[sea
                                 {search_problem({9, 9}, {3, 3}), {}},
                                 {search_problem({6, 6, 6, 6, 6, 6}, {5, 5}), {}},
                                 {{std::vector<int>(8, 2), {3, 3, 3, 3}}, 30},
-                                {search_problem({6, 6, 6}, {3, 3}), {}}};  // no filling at first sight
+                                {search_problem({6, 6, 6}, {3, 3}), {}}};  // the first hole cannot be filled
   for (std::size_t i = 0; i < cases.size(); ++i) {
     SearchLimits limits;
     limits.faces = cases[i].faces;
@@ -94,7 +94,7 @@ TEST_CASE("a search that stops at every look finds what one at once does", "[sea
       } while (found.outcome.out_of_time);
       check_same(found, at_once);
       CHECK((at_once.outcome.states < 20'000 || runs > 5));
-      // Once more: nothing is left, and nothing is written.
+      // In another run, nothing is left and nothing is written.
       const std::string whole = slurp(journal.path);
       check_same(count_fillings(cases[i].problem, limits, true, journal), at_once);
       CHECK(slurp(journal.path) == whole);
@@ -102,7 +102,7 @@ TEST_CASE("a search that stops at every look finds what one at once does", "[sea
   }
 }
 
-TEST_CASE("spheres: a search that stops at every look finds what one at once does", "[search][journal]") {
+TEST_CASE("a search for spheres that stops again and again finds the same as one run", "[search][journal]") {
   const std::vector<int> irregular{3, 3, 3, 3, 3, 3, 3, 3, 3, 5};
   const SphereOutcome at_once = search_spheres(irregular, 17, {});
   CHECK(at_once.oriented_counts != at_once.counts);
@@ -122,7 +122,7 @@ TEST_CASE("spheres: a search that stops at every look finds what one at once doe
   }
 }
 
-TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][journal]") {
+TEST_CASE("a search continues from a journal that is cut anywhere", "[search][journal]") {
   const SearchProblem problem = search_problem({6, 6, 6}, {3, 3, 5});
   const CountedSearch at_once = count_fillings(problem, {}, true);
   SearchLimits two;
@@ -131,7 +131,7 @@ TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][j
   check_same(count_fillings(problem, two, true, journal), at_once);
   const std::string whole = slurp(journal.path);
   REQUIRE(line_count(whole) > 5);
-  // A last line that found nothing changes nothing.
+  // A last record without findings changes nothing.
   append(journal, nothing_found(JournalFile::Record::array()));
   check_same(count_fillings(problem, two, true, journal), at_once);
   for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 50) {
@@ -141,7 +141,7 @@ TEST_CASE("a search's journal cut anywhere is enough to go on from", "[search][j
   }
 }
 
-TEST_CASE("a search's journal that says what cannot be is refused", "[search][journal]") {
+TEST_CASE("a search's journal with impossible records is refused", "[search][journal]") {
   using Record = JournalFile::Record;
   const SearchProblem problem = search_problem({6, 6, 6}, {3, 3, 5});
   const SearchJournal journal = journal_at("false");
@@ -179,21 +179,22 @@ TEST_CASE("a search's journal that says what cannot be is refused", "[search][jo
     CAPTURE(place, value);
     CHECK(refused(place, value).starts_with(prefix + "line 2: it is no record: "));
   }
-  // No start but 0; no guiding path of an even number; no placement that was not listed; more untried than there were.
+  // Refused are a start other than 0, a guiding path of even length, a placement that was not listed, and more untried
+  // placements than there were.
   for (const char* left :
        {"[[]]", "[[1,1]]", "[[0]]", "[[0,0,1]]", "[[0,1000]]", "[[0,1000,0,0]]", "[[0,0,1,0]]", "[[0,0,0,1000]]"}) {
     CAPTURE(left);
     CHECK(refused("/left", left).starts_with(prefix + "what is left in the last line is nothing of this search: "));
   }
   CHECK(refusal(problem, {journal.path, "another run"}) == prefix + "line 1: it belongs to another run: a run");
-  // Spheres are signatures.
+  // Found spheres must be signatures.
   spill(journal.path, "");
   append(journal, {{"found", {"no signature"}}, {"states", 0}, {"face_limit_cut", false}, {"left", Record::array()}});
   CHECK_THROWS_AS(search_spheres(std::vector<int>(8, 3), 10, {}, journal), program::UsageError);
 }
 
-TEST_CASE("a search that was killed, or out of time, goes on by the same command", "[search][journal]") {
-  // Slow enough to be killed twice on its way.
+TEST_CASE("the same command continues a search that was killed", "[search][journal]") {
+  // This search is slow enough to be killed twice.
   const std::string sides = tests::kSanitized ? "12,12,12" : "14,14,14";
   const std::string run = "search --sides " + sides + " --irregular 3,3,5 --quiet ";
   const tests::Outcome at_once = call("enumerate", run + "--json search-at-once.json");

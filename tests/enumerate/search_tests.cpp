@@ -1,4 +1,5 @@
-// Exhaustive search: exactly once, against theory, against brute force, against published counts.
+// Exhaustive search: it finds each filling exactly once. It is compared with theory/, with brute force, and with
+// published counts.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -24,7 +25,7 @@ namespace {
 std::int64_t count(const std::vector<int>& sides, const std::vector<int>& irregular) {
   const CountedSearch found = count_fillings(search_problem(sides, irregular), {}, true);
   REQUIRE(found.outcome.complete());
-  // Precisely once.
+  // Each filling is found precisely once.
   CHECK(std::adjacent_find(found.signatures.begin(), found.signatures.end()) == found.signatures.end());
   CHECK(static_cast<std::int64_t>(found.signatures.size()) == found.outcome.count);
   return found.outcome.count;
@@ -32,7 +33,7 @@ std::int64_t count(const std::vector<int>& sides, const std::vector<int>& irregu
 
 }  // namespace
 
-TEST_CASE("every filling has the boundary and the valences that were asked for", "[search]") {
+TEST_CASE("every filling has the boundary and the valences of the problem", "[search]") {
   std::mutex mutex;
   for (const auto& [sides, irregular] :
        std::vector<std::pair<std::vector<int>, std::vector<int>>>{{{6, 6, 6}, {3, 3, 5}},
@@ -73,8 +74,8 @@ TEST_CASE("counts of the theorems and of Theorem 7.1's sharpness", "[search]") {
   CHECK_FALSE(problem_with({std::vector<int>(10001, 2), {}}).empty());
 }
 
-TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
-  // theory-1 for valences beyond the paper's: 3-6, 5-6 by parameter set, against search that knows no law.
+TEST_CASE("the side-length law counts configurations of other pairs, too", "[search]") {
+  // Law theory-1 for valences beyond the paper's. The parameter sets of 3-6 and 5-6 pairs are compared with the search.
   for (const theory::PairType type : {theory::PairType{6, 3}, theory::PairType{6, 5}}) {
     const int k = type.side_count();
     int regions = 0;
@@ -94,16 +95,16 @@ TEST_CASE("other pairs: the one side-length law counts them too", "[search]") {
 
 namespace {
 
-// The number of simple quadrangulations of a polygon of 2m + 4 edges, its vertices told apart, with n vertices inside
-// (W. G. Brown, Enumeration of quadrangular dissections of the disk, Canad. J. Math. 17, 1965, 302-317). n = 0:
-// Fuss-Catalan; m = 0: OEIS A000139.
+// The number of simple quadrangulations of a polygon of 2m + 4 labelled vertices, with n interior vertices (W. G.
+// Brown, Enumeration of quadrangular dissections of the disk, Canad. J. Math. 17, 1965, 302-317). For n = 0 these are
+// the Fuss-Catalan numbers, for m = 0 OEIS A000139.
 std::int64_t brown(int m, int n) {
   const auto factorial = [](int k) { return std::tgamma(static_cast<double>(k) + 1); };
   return std::llround((3 * m + 4) * (3 * m + 3) * factorial(3 * m + 3) / factorial(m + 1) / factorial(2 * m + 3) *
                       factorial(3 * n + 3 * m + 2) / factorial(n) / factorial(2 * n + 3 * m + 4));
 }
 
-// The problem that a region fills.
+// The problem of which the region is a filling.
 SearchProblem problem_of(const mesh::Region& region) {
   SearchProblem problem;
   for (const mesh::HalfEdgeId h : mesh::boundary_loop(region.mesh, region.root)) {
@@ -118,7 +119,7 @@ SearchProblem problem_of(const mesh::Region& region) {
 
 using Regions = std::map<std::string, mesh::Region>;  // by signature
 
-// Adds what flips make of a region, and of that in turn.
+// Adds the region, and all those that sequences of flips make of it.
 void add_flipped(Regions& regions, const mesh::Region& start) {
   std::vector<std::string> queue{mesh::signature(start)};
   if (!regions.emplace(queue.back(), start).second) return;
@@ -137,7 +138,7 @@ void add_flipped(Regions& regions, const mesh::Region& start) {
   }
 }
 
-// What one split makes of the regions, and flips of that: one vertex more inside.
+// The regions that a split and then flips make of these regions. They have one interior vertex more.
 Regions with_one_more_vertex(const Regions& regions) {
   Regions result;
   for (const auto& [text, region] : regions) {
@@ -155,7 +156,7 @@ Regions with_one_more_vertex(const Regions& regions) {
 
 }  // namespace
 
-TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and budgets", "[search]") {
+TEST_CASE("search finds all quadrangulations of a polygon, summed over all boundaries and budgets", "[search]") {
   SearchLimits limits;
   limits.threads = 1;
   for (const auto& [m, n] : std::vector<std::pair<int, int>>{
@@ -164,7 +165,8 @@ TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and bud
     limits.faces = m + 1 + n;
     std::int64_t total = 0;
     SearchProblem problem;
-    // Valences inside, not decreasing, then quads at the boundary vertices: a corner of a quad each.
+    // First come the interior valences in ascending order, then the numbers of quads at the boundary vertices. Their
+    // sum is the number of corners of quads.
     const auto choose_boundary = [&](auto&& self, int corners) -> void {
       const int left = length - static_cast<int>(problem.interior_quads.size());
       if (left == 0) {
@@ -195,9 +197,9 @@ TEST_CASE("all quadrangulations of a polygon, summed over all boundaries and bud
   }
 }
 
-TEST_CASE("enumerate-4: search against flips and splits: small regions by brute force", "[search]") {
-  // Splits and flips make all quadrangulations of a polygon (Brown's number says that none is missing), corners or none
-  // on its boundary. Sorted by boundary and valences, they are what search finds, for each budget that occurs.
+TEST_CASE("enumerate-4: search finds the small regions that flips and splits make", "[search]") {
+  // Splits and flips make all quadrangulations of a polygon; Brown's number shows that none is missing. They are sorted
+  // by boundary and interior valences. For each of these problems the search finds the same regions.
   std::set<std::vector<int>> budgets;
   for (const auto& [m, most] : std::vector<std::pair<int, int>>{{0, 5}, {1, 4}, {2, 3}, {3, 2}}) {
     Regions regions;
@@ -232,7 +234,7 @@ TEST_CASE("enumerate-4: search against flips and splits: small regions by brute 
   }
 }
 
-TEST_CASE("without a pruning rule the same is found, with more states", "[search]") {
+TEST_CASE("without a pruning rule, search finds the same with more states", "[search]") {
   const std::vector<std::pair<SearchProblem, int>> problems{
       {search_problem({5, 5}, {3, 3}), 16},         {search_problem({4, 4, 4}, {3, 3, 5}), 12},
       {search_problem({5, 5, 5, 5}, {2, 6}), 25},   {search_problem({6, 6}, {3, 3, 3, 5}), 18},
@@ -258,9 +260,8 @@ TEST_CASE("without a pruning rule the same is found, with more states", "[search
 }
 
 TEST_CASE("no edge is doubled", "[search]") {
-  // Found by trying random problems: in the first only the test of the edge at the start of the chosen edge (w, x)
-  // stops a doubled edge, in the second only that at its end (v, y). A doubled edge has four faces, which region_of()
-  // refuses.
+  // These problems were found by random trials. In the first one, only the test of the edge w-x prevents a doubled
+  // edge; in the second one, only the test of the edge v-y. A doubled edge has four faces, and region_of() refuses it.
   for (const SearchProblem& problem : {SearchProblem{{4, 4, 3, 3}, {3, 2, 3, 2, 2, 3, 2, 5}},
                                        SearchProblem{{4, 3, 2, 4, 2, 4}, {3, 3, 2, 3, 3, 3, 2, 2}}}) {
     SearchLimits limits;
@@ -274,14 +275,14 @@ TEST_CASE("no edge is doubled", "[search]") {
   }
 }
 
-TEST_CASE("threads and limits do not change what is found", "[search]") {
+TEST_CASE("threads and limits do not change the result", "[search]") {
   const SearchProblem problem = search_problem({6, 6, 6}, {3, 3, 5});
   SearchLimits one, two;
   one.threads = 1, two.threads = 2;
   const CountedSearch a = count_fillings(problem, one, true), b = count_fillings(problem, two, true);
   CHECK(a.signatures == b.signatures);
   CHECK(a.outcome.by_faces == b.outcome.by_faces);
-  // Long enough for work to change hands many times, and more threads than there is work.
+  // The search is long, so that threads share work many times. Eight threads are more than the work needs.
   for (const int threads : {2, 3, 8}) {
     SearchLimits many;
     many.threads = threads;
@@ -291,11 +292,11 @@ TEST_CASE("threads and limits do not change what is found", "[search]") {
     CHECK(by_many.by_faces == by_one.by_faces);
     CHECK(by_many.states == by_one.states);
   }
-  // An exception out of a visit ends all threads, and comes through.
+  // An exception in a visit ends all threads, and reaches the caller.
   SearchLimits four;
   four.threads = 4;
   CHECK_THROWS_AS(search(problem, four, [](const Filling&) { throw std::domain_error("enough"); }), std::domain_error);
-  // Up to a face limit the numbers by faces are exact.
+  // Up to the face limit, the numbers by faces are exact.
   SearchLimits limited = one;
   limited.faces = 20;
   const CountedSearch c = count_fillings(problem, limited, false);
@@ -311,8 +312,8 @@ TEST_CASE("threads and limits do not change what is found", "[search]") {
   CHECK_FALSE(cut.complete());
 }
 
-TEST_CASE("orbits", "[search]") {
-  // Counted one by one: configurations of a regular hexagon of side 5 by their least rotated signature.
+TEST_CASE("orbits of fillings under the symmetries of the boundary", "[search]") {
+  // The configurations of a regular hexagon of side 5 are counted by their least rotated signatures.
   std::set<std::string> rotations, all;
   std::mutex mutex;
   const SearchProblem problem = search_problem({5, 5, 5, 5, 5, 5}, {5, 5});
@@ -330,8 +331,8 @@ TEST_CASE("orbits", "[search]") {
   CHECK(counted.orbits.reflections == static_cast<std::int64_t>(all.size()));
 }
 
-TEST_CASE("closed spheres", "[search]") {
-  // Eight v3s: OEIS A111361; V = 8..26, those up to 20 as plantri counts them.
+TEST_CASE("the closed spheres with eight v3s", "[search]") {
+  // OEIS A111361 has V = 8..26. plantri gives the same counts up to 20.
   const SphereOutcome octahedrites = search_spheres(std::vector<int>(8, 3), 20, {});
   const std::vector<std::int64_t> expected{1, 0, 1, 1, 2, 1, 5, 2, 8, 5, 12, 8, 25};
   for (int v = 8; v <= 20; ++v) {
@@ -347,7 +348,8 @@ TEST_CASE("closed spheres", "[search]") {
 }
 
 TEST_CASE("enumerate-5: all quadrangulations of the sphere without valence 2", "[search]") {
-  // OEIS A078666: 1, 0, 1, 1, 3, 3, 12 with V = 8..14 vertices, mirror images as one. Here as the sum over all budgets.
+  // OEIS A078666: 1, 0, 1, 1, 3, 3, 12 spheres with V = 8..14 vertices, where mirror images count as one. Here they are
+  // the sum over all budgets.
   const std::vector<std::int64_t> expected{1, 0, 1, 1, 3, 3, 12};
   for (int v = 8; v <= 14; ++v) {
     std::int64_t total = 0;
@@ -368,7 +370,7 @@ TEST_CASE("enumerate-5: all quadrangulations of the sphere without valence 2", "
         valences.pop_back();
       }
     };
-    add_budgets(add_budgets, v, 4 * (v - 2), 3);  // the valences sum to twice the edges
+    add_budgets(add_budgets, v, 4 * (v - 2), 3);  // the sum of the valences is twice the number of edges
     CHECK(total == expected[static_cast<std::size_t>(v - 8)]);
   }
 }

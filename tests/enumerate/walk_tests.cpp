@@ -1,6 +1,6 @@
-// The walk on one mesh: what it counts against formulas written out by hand and against exploration by signatures, what
-// it costs by counting, and that it fails where it should. Theory's table and vector are held against theory's map and
-// against separatrices traced on meshes.
+// The walk on one mesh. Its counts are compared with formulas written out by hand, and with explorations by signatures.
+// Its costs are counted, and it must fail where mesh and theory differ. The table of configurations is compared with
+// the map, and predicted separatrix vectors are compared with separatrices that are traced on meshes.
 #include "enumerate/exploration.hpp"
 #include "enumerate/generators.hpp"
 #include "enumerate/walk.hpp"
@@ -28,8 +28,9 @@ std::int64_t tau(std::int64_t length) {
   return length % 2 == 0 ? n * (n - 1) : n * n;
 }
 
-// Edges of a regular digon's grid: a cycle of s edges on each level s of the parity of L up to L - 2, s + 1 edges up to
-// the next level, one to the apex (Figure 10). A hexagon has three times as many (Figure 11).
+// The number of edges of a regular digon's grid (Figure 10). Levels s have the parity of L and end at L - 2. Each level
+// is a cycle of s edges, s + 1 edges lead to the next level, and one edge leads to the apex. A hexagon has three times
+// as many (Figure 11).
 std::int64_t grid_edges(std::int64_t length) {
   std::int64_t edges = length % 2 == 0 ? 1 : 0;
   for (std::int64_t s = length % 2 == 0 ? 2 : 1; s <= length - 2; s += 2)
@@ -43,9 +44,9 @@ theory::Place place_of(theory::PairType type, const theory::Configuration& c) {
 
 }  // namespace
 
-TEST_CASE("the table of configurations is the map of configurations", "[walk]") {
+TEST_CASE("the table of configurations agrees with the map of configurations", "[walk]") {
   for (const tests::CensusEntry& entry : tests::census(18, false)) {
-    if (!(entry.configuration == theory::parameter_set(entry.shape).front())) continue;  // once for a region
+    if (!(entry.configuration == theory::parameter_set(entry.shape).front())) continue;  // each region once
     const theory::ConfigurationMap map = theory::configuration_map(entry.shape, theory::Apex::with);
     const theory::ConfigurationTable table(entry.shape);
     INFO(entry.shape.type().name() << " " << entry.shape.sides().transpose());
@@ -75,14 +76,14 @@ TEST_CASE("the table of configurations is the map of configurations", "[walk]") 
   }
 }
 
-TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration", "[walk]") {
+TEST_CASE("predicted separatrix vectors are those traced on the mesh, and give the configuration back", "[walk]") {
   std::mt19937 random(7);
   int located = 0, disturbed = 0;
   for (const tests::CensusEntry& entry : tests::census(16, false)) {
     const enumerate::Reading reading = enumerate::read(entry.region, entry.shape.type());
     const auto positions = mesh::boundary_positions(entry.region);
     for (const enumerate::LabelledFrame& f : reading.frames) {
-      // In frame order, as theory-5 has it.
+      // The separatrices in the order of the frame, as in Law theory-5.
       std::vector<theory::Crossing> at_v1, at_v2;
       for (const mesh::PairFrame& frame : mesh::both_ends(entry.region.mesh, f.frame)) {
         auto& at = at_v1.empty() ? at_v1 : at_v2;
@@ -99,7 +100,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
           h = entry.region.mesh.ccw(h);
         } while (h != frame.first_leg);
       }
-      // labelling_of() gives v1's labels first unless it has swapped equal vertices to bring p into range.
+      // The labels of v1 come first, unless v1 and v2 were swapped to bring p into range. Equal valences allow this.
       const theory::SeparatrixVector predicted =
           theory::separatrix_vector(entry.shape, theory::to_labelling(f.labelling));
       const auto starts = [](const auto& vector, const auto& read) {
@@ -110,7 +111,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
           entry.shape.type().symmetric() && starts(predicted.at_v1, at_v2) && starts(predicted.at_v2, at_v1);
       REQUIRE((as_named || swapped));
 
-      // From any separatrix on.
+      // The vectors may start with any separatrix.
       std::rotate(at_v1.begin(), at_v1.begin() + static_cast<std::ptrdiff_t>(random() % at_v1.size()), at_v1.end());
       std::rotate(at_v2.begin(), at_v2.begin() + static_cast<std::ptrdiff_t>(random() % at_v2.size()), at_v2.end());
       const auto found = theory::locate(entry.shape, at_v1, at_v2);
@@ -118,7 +119,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
       REQUIRE(theory::to_configuration(entry.shape.type(), found->labelling) == entry.configuration);
       ++located;
 
-      // A label that is off by one, a side or a length.
+      // A distance, a length or a side that is wrong by one belongs to no configuration.
       for (int k = 0; k < 3; ++k) {
         auto wrong = at_v1;
         theory::Crossing& crossing = wrong[random() % wrong.size()];
@@ -134,7 +135,7 @@ TEST_CASE("separatrix vectors: predicted, traced, and back to the configuration"
   CHECK(disturbed > 400);
 }
 
-TEST_CASE("paths are followed to where they are traced to", "[walk]") {
+TEST_CASE("following a path and tracing it give the same end", "[walk]") {
   std::mt19937 random(8);
   std::vector<mesh::QuadMesh> meshes{tests::torus(5, 4), tests::cube(), tests::grid(3, 2).mesh};
   for (const tests::CensusEntry& entry : tests::census(14, true)) meshes.push_back(entry.region.mesh);
@@ -148,7 +149,7 @@ TEST_CASE("paths are followed to where they are traced to", "[walk]") {
       const mesh::Separatrix s = mesh::trace(m, h);
       const mesh::SeparatrixEnd& arrival = paths[i++];
       REQUIRE(arrival.end == s.end);
-      if (s.end == mesh::Separatrix::End::closed) continue;  // goes round until it is stopped
+      if (s.end == mesh::Separatrix::End::closed) continue;  // a closed path has no end
       REQUIRE(arrival.last == s.path.back());
       REQUIRE(arrival.length == s.length());
     }
@@ -158,7 +159,7 @@ TEST_CASE("paths are followed to where they are traced to", "[walk]") {
   }
 }
 
-TEST_CASE("the mover makes the moves that move_pair makes", "[walk]") {
+TEST_CASE("PairMover makes the same moves as move_pair", "[walk]") {
   int made = 0;
   for (const tests::CensusEntry& entry : tests::census(14, true)) {
     const auto v = mesh::irregular_vertices(entry.region.mesh);
@@ -227,18 +228,18 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   };
   REQUIRE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), start(8)).complete());
 
-  // Another region than the one that theory speaks of.
+  // The mesh has another region than the table.
   const WalkResult other = enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), start(10));
   CHECK(other.problem == "in the region to start from, the separatrices are those of no configuration");
   CHECK(other.mesh.has_value());
   CHECK_FALSE(other.complete());
 
-  // The root one edge on: all labels are off by one.
+  // The root is moved by one edge, so all labels are wrong by one.
   mesh::Region turned = start(8);
   turned.root = turned.mesh.next_on_boundary(turned.root);
   CHECK_FALSE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), turned).problem.empty());
 
-  // The other end of a hexagon's sides: a rotation that is no symmetry of the pair leaves the region what it is.
+  // The root is moved by one side. This rotation keeps the sides of the hexagon, but it is no symmetry of the pair.
   mesh::Region rotated = enumerate::glue_region(theory::kHexagon, {{1, 1, theory::to_vector({1, 2, 2, 1, 2, 2})}, 1});
   const auto lengths = mesh::side_lengths(rotated);
   const theory::ConfigurationTable table({theory::kHexagon, theory::to_vector({lengths.begin(), lengths.end()})});
@@ -246,7 +247,7 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   for (int i = 0; i < lengths[0]; ++i) rotated.root = rotated.mesh.next_on_boundary(rotated.root);
   CHECK_FALSE(enumerate::walk(table, rotated).complete());
 
-  // No pair at all, and four irregular vertices.
+  // A mesh without a pair, and one with four irregular vertices.
   CHECK_FALSE(
       enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), tests::grid(4, 4)).problem.empty());
   mesh::Region disturbed = start(8);
@@ -256,9 +257,9 @@ TEST_CASE("the walk fails where mesh and theory differ", "[walk]") {
   CHECK_FALSE(enumerate::walk(theory::ConfigurationTable({theory::kDigon, digon(8)}), disturbed).problem.empty());
 }
 
-// Costs, by counting. A slide takes max(d1, d2) + O(1) operations, open and close d1 + d2 + O(1); an identification
-// walks each separatrix once, and none is longer than the longest side and the way round R_alpha.
-TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[walk]") {
+// Costs are counted. A slide takes max(d1, d2) + O(1) operations, open and close take d1 + d2 + O(1). An identification
+// traces each separatrix once. No separatrix is longer than the longest side and the way round R_alpha.
+TEST_CASE("a walk keeps to its bounds of operations, traced edges, allocations and memory", "[walk]") {
   struct Case {
     theory::PairType type;
     theory::IntegerVector e;
@@ -281,7 +282,7 @@ TEST_CASE("what a walk costs: operations, edges traced, allocations, memory", "[
   }
 }
 
-TEST_CASE("what a pair move costs: operations by the extents of R_alpha", "[walk]") {
+TEST_CASE("a pair move keeps to its bound of operations, by the extents of R_alpha", "[walk]") {
   for (const int d1 : {0, 1, 5, 20}) {
     for (const int d2 : {1, 4, 20}) {
       for (const theory::PairType type : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
