@@ -1,5 +1,5 @@
-// The explorer's page in a browser, by clicks and keys, against the predicted graph. Meshes that the page shows are rebuilt
-// from its face lists and compared by their signatures.
+// The explorer's page in a browser. Tests click and press keys, and compare the page with the predicted graph. They
+// rebuild its meshes from the face lists, and compare their signatures.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -33,7 +33,7 @@ std::string write_page(const Example& e) {
 
 std::string label_shown(Browser& browser) { return browser.evaluate("explorer.state().label"); }
 
-// The mesh that the operations of the last move made on the page, by its signature.
+// The signature of the mesh that the operations of the last move made on the page.
 std::string signature_of(const json& last) {
   REQUIRE(last["arrives"] == true);
   return mesh::signature(rebuilt(last["faces"], last["root"]));
@@ -56,12 +56,12 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
   const auto program = chromium();
   if (!program) return;
   Browser browser(*program);
-  browser.set_reduced_motion(true);  // the results at once
+  browser.set_reduced_motion(true);  // results appear at once
   for (const Example& e : examples()) {
     const bool large = e.sides().sum() > 36 || (e.sides().size() == 4 && e.sides() == sides({6, 5, 6, 9}));
-    if (large) continue;  // enough of each kind without it
+    if (large) continue;  // the other examples suffice
     const std::string page = write_page(e);
-    std::map<std::string, std::string> signatures;  // glued, not moved
+    std::map<std::string, std::string> signatures;  // of meshes that are glued
     for (const auto& c : theory::parameter_set(e))
       signatures[theory::label(e.type(), c)] = mesh::signature(enumerate::glue_region(e.type(), c));
     for (const auto& c : theory::merged_configurations(e))
@@ -89,7 +89,7 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
   }
 }
 
-TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enough", "[explorer][browser]") {
+TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffices", "[explorer][browser]") {
   const auto program = chromium();
   if (!program) return;
   Browser browser(*program);
@@ -111,14 +111,14 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
       open_at(browser, write_page(e), start);
       hurry();
       CAPTURE(e.type().name());
-      // A neighbour: its move, operation by operation.
+      // A click on a neighbour makes its move, operation by operation.
       browser.click(spot(next));
       CHECK(browser.wait("document.querySelector('#mesh.moving')"));
       CHECK(browser.wait(kAtRest));
       CHECK(label_shown(browser) == next);
       const json state = browser.evaluate("explorer.state()");
       CHECK(signature_of(state["last"]) == browser.evaluate("explorer.data.nodes[explorer.state().node].signature"));
-      // A button of the move back, which is an arrow on the mesh as well.
+      // A button makes the move back. The mesh has an arrow for this move, too.
       browser.evaluate(
           "explorer.back = explorer.data.moves.find((m) => m.from === explorer.state().node && "
           "explorer.data.nodes[m.to].label === '" +
@@ -128,7 +128,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
       CHECK(label_shown(browser) == start);
       CHECK(browser.evaluate("document.querySelectorAll('#mesh .arrow').length") ==
             browser.evaluate("document.querySelectorAll('.move[aria-disabled=false]').length"));
-      // A configuration far away, by a shortest path; (0,4) is (4,0).
+      // A click on a configuration far away leads there by a shortest path. (0,4) is (4,0).
       browser.click(spot(far));
       CHECK(browser.evaluate("explorer.state().playing") == true);
       const std::string arrived = std::string(far) == "(0,4)" ? "(4,0)" : far;
@@ -162,7 +162,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
       browser.click("document.getElementById('film-play')");
       CHECK(browser.wait(
           "document.querySelector('#mesh.moving') && document.getElementById('caption').textContent.includes(' of ')"));
-      // Pause ends the move that is under way; then on.
+      // A pause ends the present move. Then the film continues.
       browser.click("document.getElementById('film-play')");
       CHECK(browser.wait(kAtRest));
       const int made = browser.evaluate("explorer.state().step");
@@ -174,7 +174,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
       CHECK(browser.wait(kAtRest));
       CHECK(label_shown(browser) == to);
       CHECK(browser.evaluate("explorer.state().step") == steps);
-      // One move after the other, from the start.
+      // The button for single moves makes one move after the other, from the start.
       for (int i = 0; i <= steps; ++i) {
         browser.click("document.getElementById('film-step')");
         CHECK(browser.wait(kAtRest));
@@ -189,7 +189,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
     browser.set_size(1280, 900, false);
     browser.set_reduced_motion(true);
     open_at(browser, write_page(hexagon), "(1,0,1)");
-    // Everything that can be used is met by Tab, in the order of the page, and its focus is seen.
+    // Tab reaches every control in the order of the page, and the focus is visible.
     std::vector<std::string> met;
     for (int i = 0; i < 22; ++i) {
       browser.press("Tab");
@@ -208,7 +208,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
               "graph-frame",       "jump",       "turn-left", "turn-right", "turn-reset", "mesh-frame", "show-arrows",
               "show-separatrices", "show-alpha", "close-up",  "up",         "left",       "right",      "down",
               "film-from",         "film-to",    "film-swap", "film-play",  "film-step",  "speed",      "scroll"});
-    // Shift and an arrow key turn the cube, and move nothing.
+    // Shift with an arrow key turns the cube and makes no move.
     browser.evaluate("document.getElementById('graph-frame').focus()");
     const std::string at = "document.querySelector('#graph .spot.current').getAttribute('transform')";
     const json straight = browser.evaluate(at);
@@ -217,12 +217,12 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
     CHECK(label_shown(browser) == "(1,0,1)");
     browser.evaluate("document.getElementById('turn-reset').click()");
     CHECK(browser.evaluate(at) == straight);
-    // A move by Enter on its button, which keeps the focus.
+    // Enter on the button of a move makes the move. The button keeps the focus.
     browser.evaluate("document.querySelector('.move.left').focus()");
     browser.press("Enter");
     CHECK(label_shown(browser) == predicted_keys(hexagon).at("(1,0,1)").at("left"));
     CHECK(browser.evaluate("document.activeElement.dataset.key") == "left");
-    // Arrow keys in a list choose from it and make no move.
+    // Arrow keys in a list choose an entry and make no move.
     browser.evaluate("document.getElementById('film-to').focus()");
     const std::string before = label_shown(browser);
     browser.press("ArrowDown");
@@ -246,7 +246,7 @@ TEST_CASE("in a browser, clicks move, films play, and the keyboard alone is enou
       open_at(browser, write_page(e), start);
       CAPTURE(e.type().name());
       CHECK(browser.evaluate("document.documentElement.scrollWidth") <= 390);
-      // A thumb needs 44 pixels.
+      // Controls must be at least 44 pixels high for a thumb.
       CHECK(browser.evaluate("[...document.querySelectorAll('button, select')].filter((b) => b.offsetParent && "
                              "(b.offsetHeight < 44 || b.offsetWidth < 44)).length") == 0);
       browser.evaluate("document.getElementById('speed').value = 2");

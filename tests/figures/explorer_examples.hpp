@@ -1,4 +1,4 @@
-// What the tests of the explorer's data and of its page share: regions, and what the theory predicts of them.
+// Regions, and predictions of theory/ about them, for the tests of the explorer's data and of its page.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ using Example = theory::RegionShape;
 std::vector<Example> examples();
 enumerate::Exploration explored(const Example& example);
 
-// A mesh from the page's face list, null where an id is free, with the root edge v -> w.
+// The mesh with the page's face list, which has null for a free id, and with the root edge v -> w.
 mesh::Region rebuilt(const nlohmann::json& faces, const nlohmann::json& root);
-// The page's face list after these operations.
+// The page's face list after operations on it.
 nlohmann::json patched(nlohmann::json faces, const nlohmann::json& operations);
 
-// For each configuration by its label, and each arrow key: the label that the theory says the key leads to, "" if there
-// is no room. The order of a predicted node's moves is that of configuration_graph.hpp, not of the mesh.
+// For the label of each configuration, and for each arrow key: the label to which the key must lead, or "" if there is
+// no room. It follows from the order of a node's moves in configuration_graph.hpp, and not from a mesh.
 std::map<std::string, std::map<std::string, std::string>> predicted_keys(const Example& example);
-// Moves on a shortest path in the predicted graph.
+// The number of moves on a shortest path in the predicted graph.
 int predicted_distance(const Example& example, const std::string& from, const std::string& to);
 
 }  // namespace requad::tests

@@ -1,4 +1,4 @@
-// The explorer's data and its page as a file, against the exploration and the theory.
+// The explorer's data, and its page as a file. They are compared with the exploration and with theory/.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -50,7 +50,7 @@ TEST_CASE("the explorer's meshes and moves are those of the exploration", "[expl
       CAPTURE(node["label"]);
       REQUIRE(keys.count(node["label"]) == 1);
       const mesh::Region region = rebuilt(node["faces"], node["root"]);
-      // Glued from the parameters, not moved.
+      // The expected mesh is glued from the parameters.
       const auto all = e.type().symmetric() && node["d1"] == 0 && node["d2"] == 0 ? theory::merged_configurations(e)
                                                                                   : theory::parameter_set(e);
       const auto c = std::find_if(all.begin(), all.end(),
@@ -62,14 +62,14 @@ TEST_CASE("the explorer's meshes and moves are those of the exploration", "[expl
       CHECK(node["alpha"].size() == static_cast<std::size_t>(c->d1() * c->d2()));
       const auto around = static_cast<std::size_t>(c->d1() + c->d2());
       CHECK(node["rim"].size() == (c->merged() ? 1 : c->degenerate() ? around + 1 : 2 * around));
-      // e_i, by the side that the separatrix meets: label i lies on side i + p - 1.
+      // The strip counts e_i by the side that the separatrix meets. Label i lies on side i + p - 1.
       const auto k = static_cast<std::size_t>(e.type().side_count());
       for (std::size_t i = 0; i < k; ++i) {
         const auto& path = node["outward"][(i + static_cast<std::size_t>(c->p) - 1) % k];
         if (!c->degenerate())
           CHECK(path.size() == static_cast<std::size_t>(c->parameters.e(static_cast<Eigen::Index>(i))) + 1);
       }
-      // Rounded to whole numbers, quads still do not overlap.
+      // Quads do not overlap, although positions are rounded to whole numbers.
       std::vector<Eigen::Vector2d> at;
       for (const json& p : node["vertices"])
         at.emplace_back(p.is_null() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(p[0], p[1]));
@@ -91,8 +91,9 @@ TEST_CASE("the explorer's meshes and moves are those of the exploration", "[expl
   }
 }
 
-// Figure 9's purpose: to predict a move before it is made. The pair is drawn after the move, in the same boundary; the
-// arrows of the move must point to where its vertices come to lie, and do so better than those of any other move.
+// Figure 9 lets readers predict a move before it is made. The region has the same outline before and after the move.
+// The arrows of the move must point to where the vertices of the pair go, and must do so better than those of other
+// moves.
 TEST_CASE("the arrows point where the pair goes", "[explorer]") {
   int pairs = 0;
   for (const Example& e : examples()) {
@@ -105,11 +106,11 @@ TEST_CASE("the arrows point where the pair goes", "[explorer]") {
         const json& p = node["vertices"][v];
         return Eigen::Vector2d(p[0], p[1]);
       };
-      if (move["operations"].empty()) continue;  // the mesh stays: the pair changes places
+      if (move["operations"].empty()) continue;  // the mesh stays the same, but v1 and v2 change places
       const std::vector<std::size_t> before = from["irregular"];
       const std::vector<std::size_t> after = to["irregular"];
-      // Which vertex is which is not written in the mesh: of both assignments, that of less movement. Where the pair
-      // was merged, or turns by 90 degrees, both are alike: then the one that the arrows prefer.
+      // The mesh does not say which vertex is which. Of the two assignments, the one with less movement counts. If both
+      // are equal, since the pair was merged or turns by 90 degrees, the one that the arrows prefer counts.
       const auto along = [&](const json& arrows, bool swapped) {
         double sum = 0;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -146,7 +147,7 @@ TEST_CASE("the arrows point where the pair goes", "[explorer]") {
   CHECK(pairs > 150);
 }
 
-TEST_CASE("the explorer's graph has the places of Figures 10, 11 and 12", "[explorer]") {
+TEST_CASE("the explorer's graph has the positions of Figures 10, 11 and 12", "[explorer]") {
   for (const Example& e : examples()) {
     const json data = explorer_data(explored(e));
     for (const json& node : data["nodes"]) {
@@ -162,7 +163,7 @@ TEST_CASE("the explorer's graph has the places of Figures 10, 11 and 12", "[expl
         if (n == 0 && m > 0) spots.push_back({-m, m, 0});  // (0,m)
         CHECK(node["spots"] == spots);
       } else {
-        // Three unit vectors; (x,0,p) and (0,x,p+1) are one place.
+        // Three unit vectors span the half cube. (x,0,p) and (0,x,p+1) have one spot.
         json spot{0, 0, 0};
         spot[static_cast<std::size_t>((p + 2) % 3)] = m;
         if (n > 0) spot[static_cast<std::size_t>((p + 1) % 3)] = n;
@@ -188,7 +189,7 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
   using Ids = std::multiset<std::string>;
   for (const Example& e : examples()) CHECK(failing(region_claims(explored(e))).empty());
 
-  // tau by Theorems 7.2 and 7.3, K by 7.4, by hand: N = 3, 3 * 2; N = 2, 3 * 2^2; M = 5 - 1, N = 6 - 2 - 1.
+  // By hand: tau = 3 * 2 with N = 3 (Theorem 7.2), tau = 3 * 2^2 with N = 2 (7.3), K = (5 - 1) (6 - 2 - 1) (7.4).
   const Example digon{theory::kDigon, sides({6, 6})};
   const auto claims = region_claims(explored(digon));
   CHECK(claim(claims, "T2").predicted == "tau(6) = N (N - 1) = 6 with N = 3");
@@ -199,7 +200,7 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
   const Example quad{theory::kQuad, sides({6, 5, 5, 8})};
   CHECK(claim(region_claims(explored(quad)), "T4").predicted == "K = 4 x 3 = 12");
 
-  // A configuration less, with its moves.
+  // A configuration and its moves are missing.
   enumerate::Exploration less = explored(digon);
   less.nodes.erase(less.nodes.begin());
   std::erase_if(less.moves, [](const auto& move) { return move.from == 0 || move.to == 0; });
@@ -208,13 +209,13 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
     --move.to;
   }
   CHECK(failing(region_claims(less)) == Ids{"T2", "T2", "T11"});
-  // A move that is refused, both ways: the graph lacks an edge.
+  // A move and its inverse are refused, so the graph lacks an edge.
   enumerate::Exploration refused = explored(digon);
   for (auto& move : refused.moves) {
     if ((move.from == 0 && move.to == 3) || (move.from == 3 && move.to == 0)) move.to = -1;
   }
   CHECK(failing(region_claims(refused)).count("T2") == 1);
-  // All moves refused.
+  // All moves are refused.
   enumerate::Exploration none = explored(digon);
   none.moves.clear();
   CHECK(failing(region_claims(none)) == Ids{"M1", "T2"});
@@ -224,7 +225,7 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
   lame.moves[1].restored = false;
   ++lame.moves[2].faces_made;
   CHECK(failing(region_claims(lame)) == Ids{"B3", "P2", "P3"});
-  // Meshes of another region; and a merged vertex in a region of odd side.
+  // The meshes are those of another region. A region of odd side has a merged vertex.
   enumerate::Exploration other = explored(digon);
   other.shape = {theory::kDigon, sides({8, 8})};
   CHECK(failing(region_claims(other)).count("L9") == 1);
@@ -233,7 +234,7 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
   CHECK(failing(region_claims(odd)).count("N2") == 1);
 }
 
-TEST_CASE("the explorer takes regions of a bounded size", "[explorer]") {
+TEST_CASE("the explorer refuses regions that are too large", "[explorer]") {
   CHECK(explorer_problem({theory::kDigon, sides({6, 6})}).empty());
   CHECK(theory::RegionShape::problem(theory::kDigon, sides({6, 6, 6})) ==
         "a convex region with a 3-3 pair has 2 sides, not 3");
@@ -246,7 +247,7 @@ TEST_CASE("the explorer takes regions of a bounded size", "[explorer]") {
   CHECK(explorer_problem({theory::kQuad, sides({40, 9, 30, 59})}).find(" quads in ") != std::string::npos);
 }
 
-TEST_CASE("requad-figures --explorer writes one file that stands alone", "[explorer][program]") {
+TEST_CASE("requad-figures --explorer writes one file that needs no other", "[explorer][program]") {
   const std::filesystem::path path = scratch() / "page.html";
   const Outcome done = call("figures", "--explorer --sides 6,6 --pair 3-3 -o page.html --json -");
   CHECK(done.code == 0);
@@ -257,7 +258,7 @@ TEST_CASE("requad-figures --explorer writes one file that stands alone", "[explo
   const std::string page = slurp(path);
   CHECK(summary["bytes"] == page.size());
   CHECK(page.size() < 100'000);
-  // Nothing is loaded: the only address is the name of SVG's namespace.
+  // The page loads nothing: its only address is the name of SVG's namespace.
   CHECK(occurrences(page, "://") == 1);
   CHECK(page.find("http://www.w3.org/2000/svg") != std::string::npos);
   for (const char* word : {"<script src", "<link rel=\"style", "@import", "fetch(", "XMLHttpRequest", "<!-- data"}) {

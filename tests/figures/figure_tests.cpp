@@ -1,5 +1,5 @@
-// Figures: the DOT is read back through libcgraph and compared with the predicted graph, copies folded; the SVG is read
-// back through libxml2 and what it holds is counted.
+// Figures. Tests read the DOT through libcgraph, merge copies with their originals, and compare the graph with the
+// predicted one. They read the SVG through libxml2, and count what it holds.
 #include <array>
 #include <cstdlib>
 #include <functional>
@@ -24,8 +24,8 @@ using namespace requad::figures;
 namespace {
 
 struct ReadBack {
-  std::map<std::string, int> nodes;                          // label -> how many
-  std::map<std::pair<std::string, std::string>, int> edges;  // by labels of the originals, sorted
+  std::map<std::string, int> nodes;                          // the number of nodes with a label
+  std::map<std::pair<std::string, std::string>, int> edges;  // by the sorted labels of the originals
 };
 
 ReadBack read_back(const std::string& dot, const std::string& prefix) {
@@ -84,7 +84,7 @@ void for_each_element(const xmlNode* node, const std::string& name, const std::f
   }
 }
 
-// Of an SVG: closed pieces of paths by the words that their style starts with.
+// The closed pieces of the paths in an SVG, by the first words of their style.
 class Paths {
  public:
   explicit Paths(const std::string& svg) {
@@ -98,7 +98,7 @@ class Paths {
                         static_cast<std::size_t>(std::count(d.begin(), d.end(), 'M'))});
     });
   }
-  // Filled polygons of a colour, in paths of at least `least` polygons.
+  // The number of filled polygons of a colour, in paths of at least `least` polygons.
   std::size_t filled(Colour colour) const {
     return count("fill:rgb(" + percent(colour.red) + "%," + percent(colour.green) + "%," + percent(colour.blue) + "%)",
                  &Path::polygons);
@@ -155,10 +155,10 @@ TEST_CASE("the DOT of each figure is the predicted graph", "[figures]") {
   CHECK(twelve.edges.size() == 17);  // a 4 x 3 grid
 }
 
-TEST_CASE("figures are places on the paper's grids, and byte-identical", "[figures]") {
+TEST_CASE("nodes lie on the paper's grids, and figures are byte-identical", "[figures]") {
   const GridFigure ten = figure_10(8);
   for (const GridNode& node : ten.nodes) {
-    // (m,n) of the label at (m - n, m + n).
+    // The label (m,n) lies at (m - n, m + n).
     int m = 0, n = 0;
     REQUIRE(std::sscanf(node.label.c_str(), "(%d,%d)", &m, &n) == 2);
     CHECK(node.at[0] == m - n);
@@ -176,7 +176,7 @@ TEST_CASE("figures are places on the paper's grids, and byte-identical", "[figur
   CHECK_THROWS_AS(figure_12(0, 0, 2, 2), std::invalid_argument);
 }
 
-TEST_CASE("dual figures are the predicted graphs, self-loops and double edges included", "[figures]") {
+TEST_CASE("dual figures are the predicted graphs, with self-loops and double edges", "[figures]") {
   for (const theory::PairType type : {theory::kDigon, theory::kHexagon}) {
     const std::string dot = to_dot(dual_figure(type, 7));
     for (int l = 6; l <= 7; ++l) {
@@ -187,7 +187,7 @@ TEST_CASE("dual figures are the predicted graphs, self-loops and double edges in
       CHECK(found.edges == expected.edges);
     }
   }
-  // The other hexagons, and the cone cut open.
+  // The other figures of hexagons: non-regular ones, and the half cube cut open.
   const std::vector<theory::Integer> sides{4, 5, 4, 4, 5, 4};
   const ReadBack hexagon = read_back(to_dot(hexagon_figure(sides)), "n");
   const ReadBack expected = predicted(theory::kHexagon, theory::to_vector(sides), theory::Apex::with);
@@ -210,7 +210,7 @@ TEST_CASE("the attributes of a grid's DOT and GraphML", "[figures]") {
   };
   int edges = 0;
   for (Agnode_t* n = agfstnode(g); n != nullptr; n = agnxtnode(g, n)) {
-    // A region's signature is that of its mesh: read again, it has the faces that the node says.
+    // The signature is that of the mesh: the mesh that is made from it has as many faces as the node says.
     CHECK(mesh::from_signature(agget(n, const_cast<char*>("signature"))).mesh.face_count() == number(n, "faces"));
     for (Agedge_t* e = agfstout(g, n); e != nullptr; e = agnxtout(g, e)) {
       ++edges;
@@ -218,7 +218,7 @@ TEST_CASE("the attributes of a grid's DOT and GraphML", "[figures]") {
       CHECK(number(e, "faces") == made);
       CHECK(number(e, "splits") - number(e, "collapses") == made);
       CHECK(number(e, "operations") == number(e, "splits") + number(e, "collapses") + number(e, "flips"));
-      // (d1,d2) changes by (+-1,+-1): by the labels of the ends where the quadrant stays (Theorem 7.3).
+      // (d1,d2) changes by (+-1,+-1). If the quadrant stays, this is the difference of the labels (Theorem 7.3).
       int dm = 0, dn = 0;
       REQUIRE(std::sscanf(agget(e, const_cast<char*>("direction")), "(%d,%d)", &dm, &dn) == 2);
       CHECK(std::abs(dm) == 1);
@@ -239,7 +239,7 @@ TEST_CASE("the attributes of a grid's DOT and GraphML", "[figures]") {
   CHECK(links == figure.edges.size());
 }
 
-TEST_CASE("Graphviz takes the DOT", "[figures]") {
+TEST_CASE("Graphviz reads the DOT", "[figures]") {
   for (const CatalogueEntry& entry : catalogue()) {
     if (!entry.is_grid) continue;
     const std::filesystem::path file = tests::scratch() / (entry.file() + ".dot");
@@ -249,13 +249,13 @@ TEST_CASE("Graphviz takes the DOT", "[figures]") {
   }
 }
 
-TEST_CASE("pictures of grids hold every mesh, irregular vertex and R_alpha", "[figures]") {
+TEST_CASE("pictures of grids show every mesh, irregular vertex and R_alpha", "[figures]") {
   for (int length = 3; length <= 12; ++length) {
     for (const bool hexagon : {false, true}) {
       if (hexagon && length > 7) continue;
       const GridFigure figure = hexagon ? figure_11(length) : figure_10(length);
       const Paths paths(render(paint_grid(figure), "svg"));
-      // From the theorems: all (m,n) with m + n = 1 or 2, 3, ..., L - 2, as drawn; in the digon (0,n) is a copy.
+      // By the theorems, all (m,n) with m + n = 1 or 2, 3, ..., L - 2 are drawn. In the digon (0,n) is a copy.
       std::size_t pairs = 0, merged = 0, quads = 0;
       for (int l = std::max(3, length - 1); l <= length; ++l) {
         merged += l % 2 == 0 ? 1 : 0;
@@ -292,9 +292,9 @@ TEST_CASE("pictures of operations show what the operations do", "[figures]") {
     const char* id;
     std::size_t meshes, v3, v5, made, deleted;
   };
-  // Meshes and marks as section 4 to 6 say: a collapse makes two v3s and a v6, a split two v3s and two v5s, a flip two
-  // of each; the adjacent pair has six ways; a v3 and a v5 four each; types change once each; four moves twice; four
-  // stages of a detour; three configurations of a 3-3 pair.
+  // The numbers follow from sections 4 to 6. A collapse makes two v3s and a v6; a split or a flip makes two v3s and two
+  // v5s. An adjacent pair has six steps. A v3 and a v5 have four moves each in the figure. Each of two types changes
+  // once. A 3-3 pair is shown in three configurations.
   for (const Expected& e : {Expected{"2", 10, 2 + 5 * 2, 5 * 2, 2, 2}, Expected{"3", 7, 7, 7, 2, 0},
                             Expected{"4", 10, 1 + 4 * 2 + 4, 1 + 4 * 2 + 4, 2, 1}, Expected{"5", 4, 2, 2, 1, 1},
                             Expected{"8", 3, 6, 0, 1, 5}}) {
@@ -306,7 +306,7 @@ TEST_CASE("pictures of operations show what the operations do", "[figures]") {
     CHECK(p.filled(ink::kYellow) == e.made);
     CHECK(p.filled(ink::kPaleRed) == e.deleted);
   }
-  // Law irregular-11: a 3 x 0 pair makes or deletes 3 quads by each move, a 2 x 1 pair 1, 1, 3 and 3.
+  // Law irregular-11: each move of a 3 x 0 pair makes or deletes 3 quads. The moves of a 2 x 1 pair change 1, 1, 3, 3.
   const Paths six = paths("6");
   CHECK(six.outlines("1") == 16);
   CHECK(six.filled(ink::kYellow) == 3 + 3 + 1 + 3);
@@ -318,7 +318,7 @@ TEST_CASE("pictures of operations show what the operations do", "[figures]") {
   CHECK(paths("octagon").filled(ink::kRed) == 9);
 }
 
-TEST_CASE("every figure in every format, the same bytes each time", "[figures]") {
+TEST_CASE("every figure has the same bytes each time, in every format", "[figures]") {
   for (const CatalogueEntry& entry : catalogue()) {
     INFO(entry.id);
     const std::string svg = render(entry.make({}).paint, "svg");
@@ -335,7 +335,7 @@ TEST_CASE("every figure in every format, the same bytes each time", "[figures]")
   CHECK_THROWS_AS(render(catalogue().front().make({}).paint, "bmp"), std::invalid_argument);
 }
 
-TEST_CASE("the gallery's page is up to date, and its pictures are there", "[figures]") {
+TEST_CASE("the gallery's page is up to date, and its pictures exist", "[figures]") {
   const std::filesystem::path folder = std::filesystem::path(REQUAD_SOURCE_DIR) / "figures" / "gallery";
   CHECK(tests::slurp(folder / "README.md") == gallery_page());
   for (const CatalogueEntry& entry : catalogue())

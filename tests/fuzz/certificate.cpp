@@ -1,4 +1,4 @@
-// Certificates. The program that checks them shares no code with the project; so it is taken in as a whole.
+// Certificates. Their checker shares no code with the project, so this target includes its whole program.
 #define main requad_verify_check
 #include "verify/check/main.cpp"
 #undef main
@@ -24,7 +24,7 @@ bool holds(const std::string& text) {
   }
 }
 
-// All meshes of a certificate that holds are disks for the library, too.
+// Checks that all meshes of a certificate that holds are disks for the library, too.
 void check_meshes(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
@@ -43,7 +43,8 @@ void check_meshes(const std::string& text) {
   }
 }
 
-// The text with one more of what a line at its start counts. Its first words are known, but not the blanks round them.
+// The text, in which the number after `what` is one larger. This number is in one of the first lines. The number of
+// blanks between the words is not known.
 std::string with_one_more(std::string text, const std::string& what) {
   const std::size_t start = text.find_first_of("0123456789", text.find(what));
   const std::size_t end = text.find_first_not_of("0123456789", start);

@@ -1,9 +1,8 @@
 // Command lines: the options and the numbers in them. The input holds the arguments as /proc/PID/cmdline does, each
 // with a zero byte after it.
 //
-// No command runs: what they do with arguments that are right is another matter, and takes files and time. What decides
-// whether they are right is here: the options' parser, numbers, lists and ranges, and the conditions on sides, strips
-// and searches.
+// No command runs, since that would take files and time. This target tests what decides whether arguments are right:
+// the parser of options, numbers, lists and ranges, and the conditions on sides, strips and searches.
 #include "enumerate/search/search.hpp"
 #include "mesh/program/options.hpp"
 #include "tests/fuzz/fuzz.hpp"
@@ -13,12 +12,12 @@
 using namespace requad;
 using program::Options;
 
-// A boundary may have ten thousand vertices, however short its text.
+// The text of a boundary may be short, although the boundary has ten thousand vertices.
 const fuzz::Memory fuzz::kMemory{256 << 10, 400};
 
 namespace {
 
-// A condition says "" or one line.
+// Whether a condition is met. It returns "", or a message of one line.
 bool fulfils(const std::string& problem) {
   if (!problem.empty()) fuzz::require_one_line(problem);
   return problem.empty();
@@ -31,7 +30,7 @@ std::vector<std::int64_t> numbers(const Options& options, const char* name) {
   return values;
 }
 
-// As `requad-enumerate search` does.
+// Reads integers like `requad-enumerate search`.
 std::vector<int> ints(const Options& options, const char* name) {
   const auto values = options.integers(name, 0, 100'000);
   fuzz::require(values == numbers(options, name), "an option is read in two ways");
@@ -78,7 +77,7 @@ void fuzz::try_input(std::string_view text) {
         program::value("limit", "", ""), program::value("angle", "", ""),     program::list("claim", "", ""),
     };
     const Options options(static_cast<int>(arguments.size()), pointers.data(), table);
-    // Each of these may refuse. That must not keep the others from being tried.
+    // If one of these refuses its argument, the others are tried nevertheless.
     accepts([&] { options.allow_only("command", {"output", "sides", "digon", "limit"}); });
     accepts([&] { options.require_outputs(); });
     accepts([&] { options.choices("claim", {"T2", "T3"}, {}); });

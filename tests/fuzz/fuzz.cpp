@@ -12,7 +12,8 @@ namespace requad::fuzz {
 
 namespace {
 
-// Memory in use, and the most there was since it was last set. Another thread of libFuzzer's takes memory now and then.
+// The memory in use, and the most that was in use since `most` was set. Another thread of libFuzzer sometimes takes
+// memory, too.
 std::atomic<std::ptrdiff_t> in_use = 0;
 std::atomic<std::ptrdiff_t> most = 0;
 

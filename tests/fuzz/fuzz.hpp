@@ -1,9 +1,9 @@
-// What the fuzz targets share: what an input may come to, and how much memory it may take.
+// What the fuzz targets share: the allowed outcomes of an input, and the allowed memory.
 //
-// A target is one source that defines try_input() and kMemory; fuzz.cpp hands it libFuzzer's inputs. An input
-// either is accepted, and then the target checks what came of it, or it is refused by an exception that a program
-// prints as one line. Whatever else happens ends the process, and libFuzzer keeps the input: a check that fails,
-// another exception, what the sanitizers find, more memory than is allowed, or no end.
+// A target is one source that defines try_input() and kMemory. fuzz.cpp passes libFuzzer's inputs to it. An input is
+// either accepted or refused. If it is accepted, the target checks the result. If it is refused, an exception must have
+// a message of one line. Anything else ends the process, and libFuzzer keeps the input: a check that fails, another
+// exception, a finding of the sanitizers, too much memory, or a run without end.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace requad::fuzz {
 
-// The target's: reads the text and checks what comes of it. The text ends where its memory does.
+// Defined by the target: reads the text and checks the result. The text's memory ends with the text.
 void try_input(std::string_view text);
-// How many bytes it may have in use at a time: some, and some more for each byte of input.
+// Defined by the target: the number of bytes that it may have in use at a time. It grows with the bytes of the input.
 struct Memory {
   std::size_t fixed;
   std::size_t per_byte;
 };
 extern const Memory kMemory;
 
-// Ends the process with this line unless the fact holds.
+// Ends the process with the line `otherwise` if the fact does not hold.
 void require(bool holds, std::string_view otherwise);
-// The same unless this is one line of text.
+// Ends the process if the message is not one line of text.
 void require_one_line(std::string_view message);
 
-// Whether read() ends without one of the exceptions that stand for bad input, whose message must be one line.
+// Whether read() ends without an exception for bad input. The message of such an exception must be one line.
 template <class Read>
 bool accepts(Read&& read) {
   try {

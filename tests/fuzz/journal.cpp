@@ -32,8 +32,7 @@ void fuzz::try_input(std::string_view text) {
       require(mesh::validate(region.mesh).empty() && region.mesh.is_live(region.root), "the mesh is not valid");
     }
   }
-  // It is there to be written on: under the numbers that are free, what it holds already, or a result that says
-  // nothing.
+  // The journal must accept more results. Free numbers get a result that it already has, or an empty one.
   const verify::CaseResult more =
       results.empty()
           ? verify::case_result({{"study_seconds", 0.5}, {"claims", nlohmann::ordered_json::array()}}, kClaims)

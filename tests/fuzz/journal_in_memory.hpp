@@ -1,5 +1,5 @@
-// Input for what reads journals. No fuzzer guesses a checksum: a line that starts with { gets its own. Others stay as
-// they are.
+// Input for code that reads journals. No fuzzer guesses a checksum, so each line that starts with { gets its checksum.
+// Other lines stay as they are.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ inline std::string with_checksums(std::string_view text) {
   return result;
 }
 
-// A file in memory, which a journal opens by its path.
+// A file in memory with a path, so that a journal can open it.
 class JournalInMemory {
  public:
   explicit JournalInMemory(std::string_view lines) : descriptor_(memfd_create("journal", 0)) {

@@ -1,4 +1,4 @@
-// The mesh that scripts and lists of features are tried on: a cube without its top, each side cut into four quads.
+// The mesh to which scripts and lists of features are applied: a cube without its top, with four quads on each side.
 #pragma once
 
 #include "mesh/files/read_polygons.hpp"

@@ -1,7 +1,7 @@
 // Edit scripts: their text, and replaying them.
 //
-// A script belongs to one mesh by a fingerprint that no fuzzer guesses. So each is tried as if it were made for the
-// open cube, and what it can do there is recorded as a script that must hold.
+// A fingerprint ties a script to one mesh, and no fuzzer guesses it. So each script is applied as if it were made for
+// the open cube. What is legal there is recorded as another script, which must obey the laws.
 #include "mesh/editing/script.hpp"
 
 #include "tests/fuzz/fuzz.hpp"
@@ -15,7 +15,7 @@ const fuzz::Memory fuzz::kMemory{32 << 10, 200};
 
 namespace {
 
-// A copy of the cube that is edited. Some edges are features.
+// A copy of the cube with an editor. Some edges are features.
 struct Copy {
   QuadMesh mesh = fuzz::open_cube().mesh;
   Positions positions = fuzz::open_cube().positions;
@@ -41,7 +41,7 @@ Script read_again(const Script& script) {
   return again;
 }
 
-// Law editing-14: nothing changes unless all of it is done.
+// Law editing-14: a script makes all its changes or none.
 void try_replay(const Script& script, bool with_features) {
   Copy copy(with_features);
   Replay result{Refusal::dead_element, 0};
@@ -52,7 +52,7 @@ void try_replay(const Script& script, bool with_features) {
   fuzz::require(!done || digest(copy.mesh, copy.positions) == script.after, "a script that is done led elsewhere");
 }
 
-// Performs what is legal of the script. Returns what that was, as a script.
+// Performs the legal operations of the script. Returns them as a script.
 Script perform(const Script& script, Copy& copy) {
   for (const Change& change : script.changes) {
     if (change.operation) {
@@ -81,7 +81,7 @@ void fuzz::try_input(std::string_view text) {
   try_replay(script, false);
   try_replay(script, true);
 
-  // Laws editing-11 to editing-13 of what was done: there in memory, and back from what was written.
+  // Laws editing-11 to editing-13 for the recorded script: it is written, read, replayed and undone.
   Copy done(false), copy(false);
   const Script recorded = read_again(perform(script, done));
   require(replay(copy.editor, recorded).refusal == Refusal::none, "a script cannot be replayed");

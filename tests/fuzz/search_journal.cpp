@@ -1,4 +1,4 @@
-// Journals of searches: what was found, and what is left as numbers of moves.
+// Journals of searches: what was found, and what is left, as guiding paths.
 #include <nlohmann/json.hpp>
 
 #include "enumerate/search/search.hpp"
@@ -10,7 +10,7 @@ using namespace requad;
 using enumerate::CountedSearch;
 using enumerate::SphereOutcome;
 
-// What is found is counted, or kept as signatures of spheres; a part that is left is a partial mesh with its stacks.
+// Found fillings are counted, and found spheres are kept as signatures. Each subtree that is left needs a partial mesh.
 const fuzz::Memory fuzz::kMemory{256 << 10, 4000};
 
 void fuzz::try_input(std::string_view text) {
@@ -23,9 +23,9 @@ void fuzz::try_input(std::string_view text) {
     CountedSearch found, again;
     if (accepts([&] { found = count_fillings(problem, limits, true, journal); })) {
       require(found.outcome.complete() || found.outcome.face_limit_cut, "there was time for all");
-      // Now that all is found, it says the same.
+      // The journal of a complete search gives the same result again.
       require(accepts([&] { again = count_fillings(problem, limits, true, journal); }),
-              "a journal cannot be gone on with");
+              "a search cannot be continued from its journal");
       require(again.outcome.count == found.outcome.count && again.outcome.by_faces == found.outcome.by_faces &&
                   again.outcome.states == found.outcome.states && again.signatures == found.signatures &&
                   again.orbits.rotations == found.orbits.rotations &&
@@ -39,7 +39,7 @@ void fuzz::try_input(std::string_view text) {
   SphereOutcome found, again;
   if (!accepts([&] { found = search_spheres(octahedrite, 10, limits, journal); })) return;
   require(accepts([&] { again = search_spheres(octahedrite, 10, limits, journal); }),
-          "a journal cannot be gone on with");
+          "a search cannot be continued from its journal");
   require(again.signatures == found.signatures && again.states == found.states,
           "a journal does not say again what was found");
 }

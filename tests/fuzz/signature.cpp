@@ -14,7 +14,7 @@ void requad::fuzz::try_input(std::string_view text) {
   require(mesh::validate(m).empty() && m.is_live(region.root), "the mesh is not valid");
   require(mesh::component_count(m) == 1, "the mesh is not connected");
   require(mesh::signature(region) == text, "a mesh has two signatures at one root");
-  // Isomorphic meshes, of other ids: turned to another root, and reflected.
+  // Isomorphic meshes with other ids: one has another root, one is reflected.
   const auto turned = mesh::from_signature(mesh::signature(m, mesh::HalfEdgeId(m.half_edge_capacity() - 1)));
   const auto reflected = mesh::from_signature(mesh::signature(m, region.root, Orientation::mirrored));
   const std::string canonical = mesh::canonical_signature(m);

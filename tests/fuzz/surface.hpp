@@ -1,4 +1,4 @@
-// What is checked of a mesh file that is read: laws files-1, files-2 (read_polygons.hpp) and files-5 (write_obj.hpp).
+// Checks a mesh file that is accepted: laws files-1 and files-2 (read_polygons.hpp), and files-5 (write_obj.hpp).
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A user of requad::program, which knows no mesh: a program with the exit codes and one-line errors of requad's.
+// A user of requad::program, which knows no mesh: a program with the exit codes and one-line errors of requad.
 #include <requad/mesh/program/program.hpp>
 
 int main() {
