@@ -1,5 +1,5 @@
-// Command lines made by chance from good ones: whatever the arguments, each program does what they say or refuses them
-// in one line. The options that are thrown in are those that the program's own --help names.
+// Random changes to good command lines. Whatever the arguments, each program does what they say or refuses them in one
+// line. Options are inserted that the program's own --help names.
 #include <algorithm>
 #include <filesystem>
 #include <regex>
@@ -26,7 +26,7 @@ struct FuzzedProgram {
   std::string name;
   std::vector<CommandLine> starts;
 };
-// Each takes a moment.
+// Each of these command lines takes only a moment.
 const std::vector<FuzzedProgram>& fuzzed_programs() {
   static const std::vector<FuzzedProgram> all{
       {"edit",
@@ -119,7 +119,7 @@ const CommandLine& odd_words() {
   return all;
 }
 
-// A change to a command line: what, where, and by what. Whatever the numbers are, it is one.
+// A change to a command line: its kind, its place, and the new word. Any three numbers give a change.
 using WordChange = std::tuple<unsigned, unsigned, unsigned>;
 
 void change_by_chance(CommandLine& words, const WordChange& drawn, const CommandLine& options) {
@@ -162,7 +162,7 @@ CommandLine options_of(const std::string& program) {
   return {names.begin(), names.end()};
 }
 
-// A new folder with the files that the command lines name.
+// Makes a new folder with the files that the command lines name.
 fs::path new_folder() {
   static const fs::path pattern = [] {
     const fs::path folder = scratch() / "pattern";
@@ -181,7 +181,7 @@ fs::path new_folder() {
 }
 
 constexpr int kOutOfTime =
-    128 + 24;  // SIGXCPU, after ten seconds: the soft limit; at a hard one the kernel kills by SIGKILL
+    128 + 24;  // SIGXCPU, at the soft limit of ten seconds; at a hard limit the signal would be SIGKILL
 
 tests::Outcome run_in_new_folder(const std::string& command) {
   new_folder();
@@ -190,9 +190,9 @@ tests::Outcome run_in_new_folder(const std::string& command) {
   return tests::call("edit", "--version >/dev/null; bash script");
 }
 
-// What is wrong with how a run ended and what it left; "" if nothing.
+// What is wrong with the end of a run and with the files that it left; "" if nothing is.
 std::string ending_problem(const tests::Outcome& outcome) {
-  if (outcome.code == kOutOfTime) return "";  // a long list of claims, a large region: what was asked for
+  if (outcome.code == kOutOfTime) return "";  // the arguments asked for long work
   if (outcome.code < 0 || outcome.code > 3) return "it ended by exit code " + std::to_string(outcome.code);
   if (outcome.err.find("internal error") != std::string::npos) return "an internal error";
   if (outcome.code == 2) {
@@ -239,7 +239,7 @@ TEST_CASE("whatever the arguments, a program does what they say or refuses them 
         },
         tests::kSanitized ? 25 : 100);
     CAPTURE(program.name, refused, done, out_of_time);
-    // Some of each, or little was tried.
+    // Some command lines must be refused and some done, or little was tested.
     const int all = refused + done + out_of_time;
     CHECK(10 * refused > all);
     CHECK(10 * done > all);

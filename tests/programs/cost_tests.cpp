@@ -1,5 +1,6 @@
-// What operations cost, counted and not timed: words of the mesh's arrays that change, and allocations. The bounds are
-// those that law topology-9 (mesh/topology/basic_operations.hpp) and enumerate/search/backtracking.hpp state.
+// The costs of operations, which are counted and not timed: words of the mesh's arrays that change, and allocations.
+// Law
+// topology-9 (mesh/topology/basic_operations.hpp) and enumerate/search/backtracking.hpp state the bounds.
 #include <optional>
 
 #include "enumerate/search/backtracking.hpp"
@@ -27,7 +28,7 @@ struct Words {
   int twins = 0, origins = 0, outs = 0;
 };
 
-// The words that differ; those of elements that only one of the two has, all.
+// The number of words that differ. If only one mesh has an element, all its words count.
 Words words_changed(const QuadMesh& a, const QuadMesh& b) {
   Words n;
   for (int i = 0; i < std::max(a.half_edge_capacity(), b.half_edge_capacity()); ++i) {
@@ -44,19 +45,19 @@ Words words_changed(const QuadMesh& a, const QuadMesh& b) {
   return n;
 }
 
-// Law topology-9 in numbers. Faces hold 4 twins and 4 origins.
+// Law topology-9 in numbers. A face has 4 twins and 4 origins.
 void check_words(const QuadMesh& before, const BasicOperation& op) {
   QuadMesh after = before;
   INFO(to_string(op));
   if (apply(after, op).refusal != Refusal::none) return;
   const Words n = words_changed(before, after);
   if (op.kind == Kind::flip_ccw || op.kind == Kind::flip_cw) {
-    // Two slots of each face, two outer twins; the ends of the edge before and after.
+    // A flip changes two twins of each face and two outer twins. At vertices, it changes the ends before and after.
     CHECK(n.twins <= 6);
     CHECK(n.origins == 2);
     CHECK(n.outs <= 4);
   } else {
-    // The face, its four neighbours' twins, and the faces that the vertex has besides.
+    // A collapse or a split changes the face, the twins of its four neighbours, and the other faces at the vertex.
     const bool is_split = op.kind == Kind::split;
     const QuadMesh& with = is_split ? after : before;
     const HalfEdgeId made = is_split ? QuadMesh::half_edge(FaceId(after.face_capacity() - 1), 0) : op.h;
@@ -78,16 +79,16 @@ void check_words_at_all_sites(const QuadMesh& m) {
 
 }  // namespace
 
-TEST_CASE("law topology-9: the words that a basic operation changes", "[operations][costs]") {
+TEST_CASE("law topology-9: a basic operation changes few words", "[operations][costs]") {
   for (const tests::CensusEntry& entry : tests::census(10, true)) check_words_at_all_sites(entry.region.mesh);
   check_words_at_all_sites(tests::cube());
   check_words_at_all_sites(tests::torus(4, 5));
-  check_words_at_all_sites(tests::torus(12, 9));  // no more on a larger mesh
+  check_words_at_all_sites(tests::torus(12, 9));  // as many on a larger mesh
 }
 
 TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs]") {
   QuadMesh m = tests::torus(16, 16);
-  // The counter works.
+  // This shows that the counter works.
   std::optional<QuadMesh> copy;
   REQUIRE(allocations_of([&] { copy.emplace(m); }) >= 2);
   REQUIRE(*copy == m);
@@ -116,7 +117,7 @@ TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs
       split_unchecked(m, first, last, h.index() & 3);
     }
   };
-  close_and_open(HalfEdgeId(0), true);  // the free lists get their room
+  close_and_open(HalfEdgeId(0), true);  // the free lists grow to their size
   made = 0;
   CHECK(allocations_of([&] {
           for (int i = 0; i < half_edges; ++i) {
@@ -127,7 +128,7 @@ TEST_CASE("basic operations and traversal allocate nothing", "[operations][costs
   CHECK(made == 2 * half_edges);
   CHECK(m == tests::torus(16, 16));
 
-  // As data, with the inverse that comes with each.
+  // Operations as data, which return their inverses.
   CHECK(allocations_of([&] {
           for (int i = 0; i < half_edges; ++i) {
             for (const Kind kind : {Kind::flip_ccw, Kind::flip_cw, Kind::collapse}) {

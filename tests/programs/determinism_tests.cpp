@@ -1,6 +1,6 @@
-// The same input gives the same output, bit by bit: whatever the number of threads, the locale, the addresses of
-// memory, what memory holds at first; and the build type and the compiler, if REQUAD_OTHER_BUILD names the folder of
-// another build of the same sources, as tests/run does.
+// The same input gives the same output, bit by bit. Neither the number of threads, nor the locale, nor the addresses
+// and first contents of memory may matter. The same holds for build type and compiler, which are tested if
+// REQUAD_OTHER_BUILD names the folder of another build of the same sources, as in tests/run.
 #include <algorithm>
 #include <clocale>
 #include <cstdlib>
@@ -28,10 +28,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A mesh with something to reduce, IN in the commands.
+// A mesh that can be reduced. In the commands it is IN.
 const std::string kIn = "'" REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj'";
 
-// Standard output and all that is left in the folder, less the seconds that a run took.
+// Standard output and all files in the folder, without the seconds that a run took.
 std::string outputs(const std::string& variant, const std::string& folder, const std::string& command) {
   const fs::path out = tests::scratch() / "out";
   fs::remove_all(out);
@@ -71,16 +71,16 @@ const std::vector<std::string> kCommands{
 
 namespace {
 
-// A variant that cannot be had here, as in a container that denies it, is left out, with a warning.
-bool is_to_be_had(const std::string& variant) {
+// Whether a variant is available here. For example, a container may not allow it. Warns if it is not.
+bool is_available(const std::string& variant) {
   tests::spill(tests::scratch() / "script", variant + " true\n");
   if (tests::call("edit", "--version >/dev/null; bash script").code == 0) return true;
-  WARN("skipped: " << variant << " cannot be had here");
+  WARN("skipped: " << variant << " is not available here");
   return false;
 }
 
-// "VARIABLES" that make a program with decimal commas; "" and a warning where the system's sources of locales are
-// missing.
+// The environment variables that make a program use decimal commas. If the system has no sources of locales, returns ""
+// and warns.
 std::string decimal_commas() {
   const std::string folder = (tests::scratch() / "locales").string();
   fs::create_directory(folder);
@@ -93,7 +93,7 @@ std::string decimal_commas() {
   return "";
 }
 
-// What a user's program may have set for itself.
+// The numerals of a locale that a user's program may have set.
 class Commas : public std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
@@ -151,7 +151,7 @@ TEST_CASE("the same input gives the same output", "[determinism]") {
   std::vector<std::string> variants{"LC_ALL=C.UTF-8", "MALLOC_PERTURB_=85"};
   if (const std::string commas = decimal_commas(); !commas.empty()) variants.push_back(commas);
   for (const char* variant : {"setarch -R", "taskset 1"}) {
-    if (is_to_be_had(variant)) variants.emplace_back(variant);
+    if (is_available(variant)) variants.emplace_back(variant);
   }
   for (const std::string& command : kCommands) {
     INFO(command);

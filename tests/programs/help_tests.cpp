@@ -1,4 +1,4 @@
-// Help texts, and the table of commands that they are laid out from.
+// Help texts, and the table of commands from which they are made.
 #include <map>
 #include <set>
 #include <sstream>
@@ -27,7 +27,7 @@ const std::vector<std::string>& programs() {
   return all;
 }
 
-// The commands that the help of a program lists, by the words after the program's name.
+// The names of the commands that the help of a program lists.
 std::vector<std::string> commands_of(const std::string& program) {
   std::vector<std::string> names;
   bool listed = false;
@@ -42,7 +42,7 @@ std::vector<std::string> commands_of(const std::string& program) {
   return names;
 }
 
-// The help of a program, then of each of its commands, by what was called.
+// The help of a program and of each of its commands, by their names.
 std::map<std::string, std::string> help_texts(const std::string& program) {
   std::map<std::string, std::string> texts{{program, call(program, "--help").out}};
   for (const std::string& command : commands_of(program))
@@ -62,7 +62,7 @@ std::set<std::string> examples_of(const std::string& help) {
 
 }  // namespace
 
-TEST_CASE("every command has a help of its own, no line is wide, and none is said twice", "[programs]") {
+TEST_CASE("every command has its own help, without wide lines and without repeated lines", "[programs]") {
   const std::map<std::string, std::size_t> counts{{"edit", 12}, {"enumerate", 6}, {"verify", 1}, {"figures", 1}};
   for (const std::string& program : programs()) {
     CHECK(commands_of(program).size() == counts.at(program));
@@ -83,7 +83,7 @@ TEST_CASE("every command has a help of its own, no line is wide, and none is sai
 }
 
 TEST_CASE("the examples of the help texts work as printed", "[programs]") {
-  // These take minutes, or need MPI.
+  // These examples take minutes, or need MPI.
   const std::set<std::string> left_out{
       "requad-verify", "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
       "mpirun -n 4 requad-verify --hexagon 3..15 --journal run.journal --json report.json"};
@@ -92,7 +92,7 @@ TEST_CASE("the examples of the help texts work as printed", "[programs]") {
   std::size_t run = 0;
   std::set<std::string> done;
   for (const std::string& program : programs()) {
-    if (tests::kSanitized && program != "edit") continue;  // the others take minutes then
+    if (tests::kSanitized && program != "edit") continue;  // the others would take minutes
     for (const auto& [called, help] : help_texts(program)) {
       for (const std::string& example : examples_of(help)) {
         if (left_out.count(example) > 0 || !done.insert(example).second) continue;
@@ -126,7 +126,7 @@ TEST_CASE("the value of an option is not taken for the name of a command", "[pro
   CHECK(std::filesystem::exists(scratch() / "graph"));
 }
 
-TEST_CASE("a command's help is laid out from its table", "[programs]") {
+TEST_CASE("a command's help is made from its entry in the table", "[programs]") {
   const program::Command command{
       .name = "boil",
       .usage = {"EGG"},

@@ -1,6 +1,6 @@
-// Hostile input and interruption, through the programs: each ends in one clear line and exit code 2, nothing is left
-// half written, and memory stays within a limit that the operating system keeps (ulimit -v, except under
-// AddressSanitizer, which reserves terabytes of addresses).
+// Hostile input and interruption of the programs. A program ends with one clear line and exit code 2, leaves nothing
+// half written, and keeps to a limit of memory. The operating system enforces the limit (ulimit -v), except under
+// AddressSanitizer, which reserves terabytes of addresses.
 #include <algorithm>
 #include <chrono>
 #include <regex>
@@ -31,7 +31,7 @@ std::string memory(int kibibytes) { return tests::kSanitized ? "" : "ulimit -v "
 
 std::string path_of(const std::string& program) { return "'" REQUAD_PROGRAM_DIR "/requad-" + program + "'"; }
 
-// A script for the shell that calls programs; its exit code is the last program's.
+// Runs a shell script that calls programs. Its exit code is that of the last program.
 Outcome shell(const std::string& script) {
   spill(scratch() / "script", script);
   return call("edit", "--version >/dev/null; timeout 100 bash script");
@@ -43,7 +43,7 @@ std::set<std::string> files() {
   return names;
 }
 
-// One line from the program that says all of `parts`, exit code 2, no output and no new file.
+// Checks a refusal: one line from the program that contains all of `parts`, exit code 2, no output and no new file.
 void refused(const Outcome& outcome, const std::set<std::string>& before, const std::vector<std::string>& parts = {}) {
   INFO("code " << outcome.code << ", standard error: " << outcome.err);
   CHECK(outcome.code == 2);
@@ -77,7 +77,7 @@ std::string grid_text(int n) {
 
 }  // namespace
 
-TEST_CASE("what is no mesh is refused in one line", "[hostile]") {
+TEST_CASE("files that are no mesh are refused in one line", "[hostile]") {
   struct Input {
     const char* file;
     std::string text;
@@ -127,9 +127,9 @@ TEST_CASE("what is no mesh is refused in one line", "[hostile]") {
   }
 }
 
-TEST_CASE("arguments that are odd or long are refused in one line", "[hostile]") {
+TEST_CASE("strange or long arguments are refused in one line", "[hostile]") {
   const auto before = files();
-  // A line's end in an argument, in a name, and in the name of an option.
+  // An end of line in an argument, in a file's name, and in the name of an option.
   refused(shell(path_of("enumerate") + " search --irregular 3,3 --sides $'6,\\n6'"), before,
           {"'?6' is not an integer"});
   refused(shell(path_of("edit") + " info $'no\\nfile.obj'"), before, {"no?file.obj: cannot be read"});
@@ -141,7 +141,7 @@ TEST_CASE("arguments that are odd or long are refused in one line", "[hostile]")
           {"more than 10000 edges"});
 }
 
-TEST_CASE("what is a mesh is read, however it is written", "[hostile]") {
+TEST_CASE("a mesh is read, however it is written", "[hostile]") {
   const auto text_of = [](const std::string& name) { return call("edit", "info '" + name + "' --json -").out; };
   spill(scratch() / "unix.obj", kSquare + "f 1 2 3 4\n");
   std::string crlf;
@@ -208,27 +208,27 @@ TEST_CASE("numbers near the largest integer are refused", "[hostile]") {
   }
 }
 
-TEST_CASE("output that cannot be written leaves what was there", "[hostile]") {
+TEST_CASE("if an output cannot be written, the old file stays", "[hostile]") {
   spill(scratch() / "in.obj", grid_text(40));
   spill(scratch() / "old.obj", "the old text");
   const auto before = files();
   const std::string edit = path_of("edit") + " subdivide in.obj -o ";
-  // A folder that does not exist, a folder in the file's place, a file in a folder's place.
+  // The folder does not exist, the file is a folder, or the folder is a file.
   refused(shell(edit + "nowhere/out.obj"), before, {"nowhere/out.obj", "No such file"});
   refused(shell(edit + "."), before, {"folder"});
   refused(shell(edit + "in.obj/out.obj"), before, {"Not a directory"});
   refused(shell(edit + std::string(300, 'x')), before, {"too long"});
-  // A device that is full is written to, and stays a device.
+  // A full device stays a device.
   refused(shell(edit + "/dev/full"), before, {"/dev/full"});
   refused(shell(path_of("edit") + " info in.obj >/dev/full"), before, {"standard output"});
   CHECK(fs::is_character_file("/dev/full"));
-  // Two outputs to one file, also by another name; a device takes both.
+  // Two outputs cannot go to one file, even by two names of it. They can go to a device.
   refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs cannot both go to out.obj"});
   refused(shell(edit + "out.obj --json ./out.obj"), before, {"two outputs cannot both go to out.obj"});
   refused(shell(edit + "''"), before, {"a file's name is expected"});
   CHECK(shell(edit + "/dev/null --json /dev/null").code == 0);
   CHECK(shell(edit + "nowhere/out.obj --help").code == 0);
-  // Before any work: this would take hours.
+  // The refusal comes before the work, which would take hours.
   refused(shell("timeout 20 " + path_of("verify") + " --digon 3..100 --hexagon 3..40 --json nowhere/report.json"),
           before, {"nowhere/report.json", "No such file"});
   refused(shell("timeout 20 " + path_of("enumerate") + " sphere --irregular 3,3,3,3,3,3,3,3 --vertices 8..60 --json ."),
@@ -240,14 +240,14 @@ TEST_CASE("output that cannot be written leaves what was there", "[hostile]") {
   refused(shell("timeout 20 " + path_of("figures") + " --figure 2 -o in.obj"), before, {"in.obj is not a folder"});
   refused(shell("timeout 20 " + path_of("verify") + " --failures " + std::string(300, 'x')), before,
           {"is not a folder"});
-  // A disk that becomes full in the middle: a limit of 1 KiB on the size of files.
+  // A limit of 1 KiB on the size of files stands for a disk that becomes full.
   for (const char* name : {"out.obj", "old.obj"}) {
     refused(shell("ulimit -f 1; " + edit + name), before, {name, "too large"});
     CHECK(slurp(scratch() / "old.obj") == "the old text");
   }
   refused(shell("ulimit -f 1; " + path_of("figures") + " --figure 10 --side 12 --format svg -o ."), before,
           {"figure-10.svg", "too large"});
-  // What has room is not left behind without the rest: the edits' script, which is short, and a figure that is small.
+  // If one output has no room, the others are not written either, even if they are small: a script, or a small figure.
   spill(scratch() / "old.txt", "the old script");
   const auto with_script = files();
   refused(shell("ulimit -f 8; " + path_of("edit") +
@@ -261,9 +261,9 @@ TEST_CASE("output that cannot be written leaves what was there", "[hostile]") {
   CHECK(fs::file_size(scratch() / "short.txt") < 8192);
   refused(shell("ulimit -f 30; " + path_of("figures") + " --figure 10 --side 12 --format dot --format svg -o ."),
           files(), {"figure-10.", "too large"});
-  // Not to a file at all: a pipe by the name that programs have for it.
+  // The output is a pipe with the name of a file.
   CHECK((shell(edit + "/dev/stdout --quiet | cat").out == shell(edit + "-").out));
-  // A folder without permission; root may write anywhere, unless that right is taken away.
+  // A folder without the permission to write. Root may write anywhere, unless this right is taken away.
   fs::create_directory(scratch() / "locked");
   spill(scratch() / "locked/kept.obj", "kept");
   fs::permissions(scratch() / "locked", fs::perms::owner_read | fs::perms::owner_exec);
@@ -275,14 +275,14 @@ TEST_CASE("output that cannot be written leaves what was there", "[hostile]") {
 
 namespace {
 
-// What a run writes, less the seconds that it took.
+// What a run wrote, without the seconds that it took.
 std::string timeless(const std::string& text) {
   static const std::regex seconds("\"seconds\":[-+.e0-9]+");
   return std::regex_replace(text, seconds, "");
 }
 
-// Kills a command at many moments of its run and sees that the file is as it was, or as the whole run writes it. A
-// signal that can be caught leaves nothing else either. Returns how often the run was cut short.
+// Kills a command at many moments of its run. Checks that the file is as it was before, or as the whole run writes it.
+// If the signal can be caught, no other file may be left. Returns the number of runs that were cut short.
 int interrupt(const std::string& command, const std::string& output, const char* signal) {
   const fs::path target = scratch() / output;
   using Clock = std::chrono::steady_clock;
@@ -324,7 +324,7 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
   CHECK(interrupt(path_of("figures") + " --figure 10 --side 10 --format svg -o .", "figure-10.svg", "KILL") > 0);
 }
 
-TEST_CASE("figures may be listed in the folder that is made for them, and asked for twice", "[hostile]") {
+TEST_CASE("the list of figures may go into their new folder, and figures may be named twice", "[hostile]") {
   CHECK(shell(path_of("figures") +
               " --figure 2 --figure 2 --format svg --format svg -o new/pictures --json new/pictures/list.json")
             .code == 0);
@@ -333,7 +333,7 @@ TEST_CASE("figures may be listed in the folder that is made for them, and asked 
   refused(shell(path_of("figures") + " --figure 2 -o newer --json nowhere/list.json"), files(), {"nowhere/list.json"});
 }
 
-TEST_CASE("running out of memory is no failure of a claim", "[hostile]") {
+TEST_CASE("a run that is out of memory reports no failed claim", "[hostile]") {
   if (tests::kSanitized) return;
   const Outcome outcome = shell("ulimit -v 120000; " + path_of("verify") +
                                 " --claim T2 --method moves --digon 95..100 --threads 1 --quiet --journal run.journal");
@@ -344,8 +344,8 @@ TEST_CASE("running out of memory is no failure of a claim", "[hostile]") {
   CHECK(slurp(scratch() / "run.journal").find("violation") == std::string::npos);
 }
 
-TEST_CASE("the certificates' checker ends by a signal, and keeps to one line", "[hostile]") {
-  // One that waits for its manifest for ever.
+TEST_CASE("a signal ends the certificates' checker, and its errors have one line", "[hostile]") {
+  // This checker waits for its manifest forever.
   fs::create_directory(scratch() / "waiting");
   REQUIRE(mkfifo((scratch() / "waiting/MANIFEST").c_str(), 0600) == 0);
   for (const char* signal : {"INT", "TERM", "HUP"})

@@ -1,6 +1,6 @@
-// Who includes whom. A room is a folder that holds sources; it may include its own headers and those of the rooms that
-// the table below names, which is the one of the project's design. theory/ and mesh/ do not know each other, so that
-// what one predicts is compared with what the other does; and what lies below does not know what lies above.
+// Which room includes which. A room is a folder with sources. It may include its own headers and those of the rooms
+// that the table below lists. theory/ and mesh/ do not include each other, so that the predictions of one can be
+// compared with the results of the other. A lower room never includes a higher one.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ Rooms operator+(Rooms a, const Rooms& b) {
 }
 
 const Rooms kTheory{"theory", "theory/proofs"};
-// requad::mesh, from the lowest room up.
+// The rooms of requad::mesh, the lowest one first.
 const Rooms kMesh{"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/irregular"};
 const Rooms kPlumbing{"mesh/threads", "mesh/program"};
 const Rooms kEnumerate{"enumerate", "enumerate/search"};
@@ -85,7 +85,7 @@ const Table kMayInclude{
     {"tests/package", {}},
 };
 
-// For each room that has sources: the rooms that they include, and where.
+// For each room, the rooms that its sources include, each with an include line.
 using Arrows = std::map<std::string, std::map<std::string, std::string>>;
 
 Arrows arrows_of_sources() {
@@ -108,7 +108,7 @@ Arrows arrows_of_sources() {
   return arrows;
 }
 
-// What is wrong, a line each.
+// The includes that are not allowed, one to a line.
 std::vector<std::string> problems(const Arrows& arrows, const Table& may_include) {
   std::vector<std::string> found;
   for (const auto& [room, included] : arrows) {

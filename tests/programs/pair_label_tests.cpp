@@ -1,5 +1,5 @@
-// The extents (d1, d2) that requad-edit prints are those of the paper's side-length equations. They are compared with
-// labels that are read off the same mesh, and these with the equations and the lengths of the mesh's sides.
+// The extents (d1, d2) that requad-edit prints are those of the paper's side-length equations. Tests compare them with
+// labels that are read off the same mesh. They check these labels by the equations and the lengths of the mesh's sides.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -26,7 +26,7 @@ struct Sample {
   PairType type;
   theory::StripParameters parameters;
 };
-// All have d1 != d2, and room for moves.
+// All of these have d1 != d2 and room for moves.
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> all{
       {theory::kDigon, {2, 1, theory::to_vector({3, 2})}},
@@ -42,7 +42,7 @@ const std::vector<Sample>& samples() {
   return all;
 }
 
-// The mesh in a file, rooted at a corner.
+// The mesh of a file, rooted at a corner.
 mesh::Region region_in(const std::string& file) {
   mesh::Region region{mesh::read_surface((scratch() / file).string(), false).mesh, {}};
   for (const mesh::HalfEdgeId h : region.mesh.half_edges()) {
@@ -56,7 +56,7 @@ std::string text_of(std::int64_t d1, std::int64_t d2) {
   return "(" + std::to_string(d1) + "," + std::to_string(d2) + ")";
 }
 
-// The labels "(d1,d2)" of the pair in a region: one, or two for a segment.
+// The labels "(d1,d2)" of the pair in a region: one for a rectangle, two for a segment.
 std::set<std::string> labels_of(const mesh::Region& region, PairType type) {
   const enumerate::Reading reading = enumerate::read(region, type);
   CHECK(reading.problem.empty());
@@ -70,7 +70,7 @@ std::set<std::string> labels_of(const mesh::Region& region, PairType type) {
   return labels;
 }
 
-// " A B": the numbers of the pair in the file.
+// The numbers of the pair in the file, as " A B".
 std::string pair_in(const mesh::Region& region) {
   std::string text;
   for (const mesh::VertexId v : mesh::irregular_vertices(region.mesh)) text += " " + std::to_string(v.index() + 1);

@@ -1,4 +1,4 @@
-// The programs from outside: exit codes, one clear line for bad input, nothing half written.
+// The programs from outside: exit codes, one clear line for bad input, and no file that is half written.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -27,7 +27,7 @@ TEST_CASE("help and version", "[programs]") {
   }
 }
 
-TEST_CASE("bad arguments: one line on stderr, nothing on stdout, exit 2", "[programs]") {
+TEST_CASE("bad arguments give one line on stderr, nothing on stdout, and exit code 2", "[programs]") {
   const std::vector<std::pair<std::string, std::string>> calls{
       {"enumerate", ""},
       {"enumerate", "dance"},
@@ -149,7 +149,7 @@ TEST_CASE("requad-enumerate search, sphere and signature", "[programs]") {
   CHECK(mixed["count"] == 75);
   CHECK(mixed["fillings"].size() == 75);
   CHECK(mixed["orbits"]["rotations"] == 25);  // none has a threefold symmetry
-  // Proven none is not undecided.
+  // If it is proven that there is no filling, the result is not undecided.
   CHECK(json_of("search --sides 7,6 --irregular 3,3", 0)["count"] == 0);
   CHECK(json_of("search --sides 5,4,5,4 --irregular 3,5", 0)["count"] == 0);
   CHECK(json_of("search --sides 5,4,5,4 --irregular ''", 0)["count"] == 1);
@@ -169,14 +169,14 @@ TEST_CASE("requad-enumerate search, sphere and signature", "[programs]") {
   CHECK(rebuilt["canonical"] == text);
 }
 
-TEST_CASE("output follows links and leaves what is no file alone", "[programs]") {
+TEST_CASE("output follows links, and does not replace pipes and devices", "[programs]") {
   fs::create_symlink("linked.json", scratch() / "link.json");
   CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 -o link.json").code == 0);
   CHECK(fs::is_symlink(scratch() / "link.json") == true);
   const std::string pipe = (scratch() / "pipe").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string copy = (scratch() / "copy").string();
-  // A reader first, which gives up by itself should nobody write.
+  // First comes a reader. It gives up by itself if nobody writes.
   REQUIRE(std::system(("timeout 20 cat '" + pipe + "' >'" + copy + "' &").c_str()) == 0);
   CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 -o pipe").code == 0);
   CHECK(fs::is_fifo(pipe));
@@ -186,20 +186,20 @@ TEST_CASE("output follows links and leaves what is no file alone", "[programs]")
   CHECK(slurp(scratch() / "copy").rfind("{\"nodes\"", 0) == 0);
 }
 
-TEST_CASE("requad-verify reports, and exit 3 means no instance", "[programs]") {
+TEST_CASE("requad-verify reports, and exit code 3 means that there was no instance", "[programs]") {
   const Outcome all =
       call("verify", "--digon 3..6 --hexagon 3..4 --quad-perimeter 8..20 --other-perimeter 4..14 --json -");
   CHECK(all.code == 0);
   const auto json = nlohmann::json::parse(all.out);
   CHECK(json["passed"] == true);
   CHECK(json["claims"].size() == 27);  // the whole ledger
-  // 3-5 regions of perimeter 4..8 do not exist: T4 is undecided there, never "holds".
+  // There are no 3-5 regions of perimeter 4..8. So T4 is undecided there, and does not hold.
   const Outcome none = call("verify", "--claim T4 --quad-perimeter 4..8 --json -");
   CHECK(none.code == 3);
   CHECK(nlohmann::json::parse(none.out)["claims"][0]["verdict"] == "undecided");
 }
 
-TEST_CASE("certificates are checked again, and rejected after any change that matters", "[programs]") {
+TEST_CASE("certificates are checked again, and rejected after any relevant change", "[programs]") {
   const Outcome made = call("verify",
                             "--claim T2 --claim T3 --claim T4 --digon 3..6 --hexagon 3..4 --quad-perimeter 10..14 "
                             "--other-perimeter 4..12 --certificate proof --quiet");
@@ -210,7 +210,7 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
   CHECK(call("verify", "check no-such-folder").code == 2);
   CHECK(call("verify", "check").code == 2);
 
-  // Every digit of a certificate by another one, one at a time, and every line left out or given twice.
+  // Each digit of a certificate is replaced by another one, and each line is left out or repeated, one at a time.
   const fs::path file = scratch() / "proof" / "3-3-4-4.txt";
   const std::string good = slurp(file);
   REQUIRE(!good.empty());
@@ -230,7 +230,7 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
   };
   for (std::size_t i = 0; i < good.size(); ++i) {
     if (good[i] < '0' || good[i] > '9') continue;
-    // Labels are names for readers: they only have to differ.
+    // Labels are names for readers. They only have to differ.
     const std::size_t line = good.rfind('\n', i) + 1;
     const std::size_t open = good.find('(', line);
     if (good.compare(line, 4, "mesh") == 0 && open < i && i < good.find(')', line)) continue;
@@ -259,17 +259,17 @@ TEST_CASE("certificates are checked again, and rejected after any change that ma
   CHECK(call("verify", "check proof").code == 0);
 }
 
-TEST_CASE("requad-figures writes what it says", "[programs]") {
+TEST_CASE("requad-figures writes the files that it lists", "[programs]") {
   const Outcome made = call("figures", "-o pictures --page");
   CHECK(made.code == 0);
-  CHECK(tests::line_count(made.out) == 17 + 7 + 1);  // SVG of all, DOT of the grids, the page
+  CHECK(tests::line_count(made.out) == 17 + 7 + 1);  // an SVG of each, a DOT of each grid, the page
   for (const std::string number : {"10", "11", "12"}) {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
   }
 }
 
-TEST_CASE("verify prints its proofs", "[programs]") {
+TEST_CASE("requad-verify prints its proofs", "[programs]") {
   const Outcome one = call("verify", "--proofs --claim T2");
   CHECK(one.code == 0);
   CHECK(one.out.find("T2, for all L >= 1, is proved") == 0);

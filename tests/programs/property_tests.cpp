@@ -1,8 +1,8 @@
-// Properties on random meshes (properties.hpp). A failing case prints the start and the operations as an edit script
-// writes them.
+// Properties of random meshes (properties.hpp). A case that fails prints its start, and its operations in the words of
+// an edit script.
 //
-// A drawn operation is three numbers, taken modulo what there is to choose from, so that whatever is left after
-// shrinking is still an operation somewhere on the mesh.
+// A random operation is three numbers, each taken modulo the number of choices. So any numbers that remain after
+// shrinking still give an operation on the mesh.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -51,7 +51,7 @@ BasicOperation operation_at(const QuadMesh& m, const Draw& draw) {
   return op;
 }
 
-// Where a case starts: a region of the census, a torus, a sphere, a grid, a mesh from a file.
+// The mesh from which a case starts: a region of the census, a torus, a sphere, a grid, or a mesh from a file.
 struct Start {
   std::string name;
   QuadMesh mesh;
@@ -80,7 +80,7 @@ const std::vector<Start>& starts() {
 }
 const Start& some_start() { return starts()[*rc::gen::inRange(std::size_t{0}, starts().size())]; }
 
-// Boundary edges as pairs of vertices: by topology-6 these stay, in every loop.
+// The boundary edges as pairs of vertices. By Law topology-6 they stay in every loop.
 std::vector<std::array<int, 2>> boundary_edges(const QuadMesh& m) {
   std::vector<std::array<int, 2>> edges;
   for (const HalfEdgeId h : m.half_edges()) {
@@ -96,7 +96,8 @@ bool keeps(const QuadMesh& m, const FeatureSet& features) {
                      [&m](const auto& e) { return m.is_live(e[0]) && m.is_live(e[1]) && m.adjacent(e[0], e[1]); });
 }
 
-// Whether a map of half-edges from a to b, root to root, keeps next and twin: tried directly, for connected meshes.
+// Whether there is a map of half-edges from `a` to `b` that takes root to root and keeps next and twin. This constructs
+// the map. Precondition: the meshes are connected.
 bool same_from(const QuadMesh& a, HalfEdgeId root_a, const QuadMesh& b, HalfEdgeId root_b) {
   std::vector<HalfEdgeId> image(static_cast<std::size_t>(a.half_edge_capacity()));
   std::vector<HalfEdgeId> back(static_cast<std::size_t>(b.half_edge_capacity()));
@@ -108,9 +109,9 @@ bool same_from(const QuadMesh& a, HalfEdgeId root_a, const QuadMesh& b, HalfEdge
     open.pop_back();
     const HalfEdgeId g = image[h.slot()];
     if (a.is_boundary(h) != b.is_boundary(g)) return false;
-    std::vector<std::pair<HalfEdgeId, HalfEdgeId>> steps{{a.next(h), b.next(g)}};
-    if (!a.is_boundary(h)) steps.emplace_back(a.twin(h), b.twin(g));
-    for (const auto& [to, image_of_to] : steps) {
+    std::vector<std::pair<HalfEdgeId, HalfEdgeId>> neighbours{{a.next(h), b.next(g)}};
+    if (!a.is_boundary(h)) neighbours.emplace_back(a.twin(h), b.twin(g));
+    for (const auto& [to, image_of_to] : neighbours) {
       if (image[to.slot()] == image_of_to && back[image_of_to.slot()] == to) continue;
       if (image[to.slot()].valid() || back[image_of_to.slot()].valid()) return false;
       image[to.slot()] = image_of_to;
@@ -127,7 +128,7 @@ bool isomorphic(const QuadMesh& a, const QuadMesh& b) {
   return std::any_of(roots.begin(), roots.end(), [&](HalfEdgeId g) { return same_from(a, first, b, g); });
 }
 
-// Runs a property for every operation that was drawn, on the mesh that those before have left.
+// Performs the random operations one after the other, and tests a property for each of them.
 template <class Visit>
 QuadMesh run(const Start& start, const std::vector<Draw>& drawn, std::vector<BasicOperation>& inverses,
              const Visit& visit) {
@@ -181,7 +182,7 @@ TEST_CASE("random operations keep the laws, and their inverses give the mesh bac
 }
 
 TEST_CASE("an operation is refused for a feature exactly if it would break one", "[properties]") {
-  // Law editing-5 says iff: the other direction needs the operations that are refused to be made and to break an edge.
+  // Law editing-5 says "if and only if". So refused operations are performed here, too, and must break an edge.
   holds("features", [] {
     const Start& start = some_start();
     FeatureSet features;
@@ -233,7 +234,7 @@ struct Drawn {
   theory::PairType type;
   theory::Configuration configuration;
 };
-// Strips of at most 5 quads; merged ones among them.
+// A random configuration with strip counts of at most 5. It may be a merged one.
 Drawn some_configuration() {
   const theory::PairType type = *rc::gen::element(theory::kDigon, theory::kHexagon, theory::kQuad);
   theory::Configuration c;

@@ -1,5 +1,5 @@
-// theory/ proofs for all sizes: exact arithmetic by hand examples, counting polynomials against counts, and every proof
-// seen to fail once its premises are falsified.
+// The proofs for all sizes. Exact arithmetic is tested by examples, counting polynomials are compared with counts, and
+// every proof must fail if its premises are false.
 #include "tests/support/catch.hpp"
 #include "tests/support/theory/integer_vector.hpp"
 #include "theory/configurations.hpp"
@@ -22,7 +22,7 @@ Rational value(const Polynomial& p, Integer at) {
   return sum;
 }
 
-// The polygon of a regular region, as regular_regions.cpp has it.
+// The polygon of a regular region, as in regular_regions.cpp.
 Polytope regular_polygon(PairType type) {
   const SideLaw law = side_law(type);
   const int k = type.side_count();
@@ -40,7 +40,7 @@ void check_fails(const Proof& proof) {
 
 }  // namespace
 
-TEST_CASE("rationals are exact, and say so where they cannot be", "[proofs]") {
+TEST_CASE("rationals are exact, or report an overflow", "[proofs]") {
   CHECK(Rational(1, 3) + Rational(1, 6) == Rational(1, 2));
   CHECK(Rational(2, -4) == Rational(-1, 2));
   CHECK(Rational(-1, 2) < Rational(-1, 3));
@@ -52,7 +52,7 @@ TEST_CASE("rationals are exact, and say so where they cannot be", "[proofs]") {
   CHECK_THROWS_AS(Rational(Integer{1} << 62) + Rational(Integer{1} << 62), std::overflow_error);
 }
 
-TEST_CASE("polynomials multiply, compare and read as one writes them", "[proofs]") {
+TEST_CASE("polynomials multiply, compare and print in the usual notation", "[proofs]") {
   CHECK((kX + kY) * (kX - kY) == kX * kX - kY * kY);
   CHECK((kX - kX) == Polynomial(0));
   CHECK((Polynomial(Rational(1, 2)) * kX * kX - kX * kY + 3).text({"L", "d"}) == "1/2 L^2 - L d + 3");
@@ -70,7 +70,7 @@ TEST_CASE("linear systems: rank and inverse", "[proofs]") {
 }
 
 TEST_CASE("vertices and lattice points of small polytopes", "[proofs]") {
-  // x + y + z = 1, the standard triangle: (L+1)(L+2)/2 points, (L-1)(L-2)/2 of them inside.
+  // x + y + z = 1 is the standard triangle. It has (L+1)(L+2)/2 points, and (L-1)(L-2)/2 of them are interior.
   const Polytope closed{IntegerMatrix::Ones(1, 3), IntegerVector::Ones(1), {false, false, false}};
   CHECK(vertices(closed) == std::vector<RationalVector>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
   const Polynomial half(Rational(1, 2));
@@ -78,13 +78,13 @@ TEST_CASE("vertices and lattice points of small polytopes", "[proofs]") {
   Polytope open = closed;
   open.strict.assign(3, true);
   CHECK(counting_quasi_polynomial(open, 1).by_residue.front() == half * (kX - 1) * (kX - 2));
-  // 2 x + y = 1: floor(L/2) + 1 points, so the period is 2; the vertex (1/2, 0) says so.
+  // 2 x + y = 1 has floor(L/2) + 1 points. So the period is 2, as the vertex (1/2, 0) shows.
   const Polytope segment{(IntegerMatrix(1, 2) << 2, 1).finished(), IntegerVector::Ones(1), {false, false}};
   CHECK(common_denominator(vertices(segment)) == 2);
   const QuasiPolynomial count = counting_quasi_polynomial(segment, 2);
   CHECK(count.by_residue[0] == half * kX + 1);
   CHECK(count.by_residue[1] == half * kX + half);
-  // With a redundant row, and with one that contradicts.
+  // A system with a redundant row, and one with a contradictory row.
   const Polytope twice{
       (IntegerMatrix(2, 2) << 1, 1, 2, 2).finished(), (IntegerVector(2) << 1, 2).finished(), {true, true}};
   CHECK(count_lattice_points(twice, 5) == 4);
@@ -103,7 +103,7 @@ TEST_CASE("counting polynomials against brute force up to L = 60", "[proofs]") {
     const Polytope polygon = regular_polygon(type);
     const QuasiPolynomial counted = counting_quasi_polynomial(polygon, common_denominator(vertices(polygon)));
     for (Integer length = 1; length <= 60; ++length) {
-      // By hand: pairs d1 >= 1, d2 >= 0 whose strips, solved for by other code, are all positive.
+      // Brute force: pairs d1 >= 1, d2 >= 0 for which other code finds only positive strip counts.
       Integer brute = 0;
       const PairSystem system(type);
       for (Integer d1 = 1; d1 <= length; ++d1) {
@@ -116,15 +116,15 @@ TEST_CASE("counting polynomials against brute force up to L = 60", "[proofs]") {
       REQUIRE(type.rotation_count() * brute == (type == kDigon ? tau_digon(length) : tau_hexagon(length)));
     }
   }
-  // Theorem 7.1 at a v8: pairs (a, b), 1 <= a, b <= L - 1, from the circulant of 8, not of 4.
+  // Theorem 7.1 for a v8: pairs (a, b) with 1 <= a, b <= L - 1, from the circulant of order 8.
   for (Integer length = 1; length <= 60; ++length) {
     REQUIRE(static_cast<Integer>(solve_circulant(IntegerVector::Constant(8, length)).size()) ==
             value(single_vertex_premises().sharp_count, length));
   }
 }
 
-// proofs-2: with false premises a proof does not go through.
-TEST_CASE("no proof goes through on false premises", "[proofs]") {
+// Law proofs-2: a proof fails if its premises are false.
+TEST_CASE("every proof fails on false premises", "[proofs]") {
   SECTION("T1") {
     SingleVertexPremises p = single_vertex_premises();
     p.symbol = {1, 1};  // E_i = e_{i-1} + e_i

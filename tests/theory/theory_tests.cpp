@@ -16,7 +16,7 @@ namespace {
 
 StripParameters parameters(Integer d1, Integer d2, std::initializer_list<Integer> e) { return {d1, d2, sides(e)}; }
 
-// Number of edges between configurations (d1, d2) and (d1', d2') of a digon.
+// The number of edges between configurations (d1, d2) and (d1', d2') of a digon.
 std::size_t edges_between(const ConfigurationGraph& graph, std::array<Integer, 2> a, std::array<Integer, 2> b) {
   std::size_t count = 0;
   for (const auto e : boost::make_iterator_range(edges(graph))) {
@@ -40,7 +40,8 @@ std::size_t degree_total(const ConfigurationGraph& graph, bool merged) {
 }  // namespace
 
 TEST_CASE("theory-1 is the paper's three systems", "[theory]") {
-  // Proof of Theorem 7.2: E1 = d1+d2+2 e2, E2 = d1+d2+2 e1. Distinct primes tell every coefficient apart.
+  // Proof of Theorem 7.2: E1 = d1+d2+2 e2, E2 = d1+d2+2 e1. All values are different primes, so every coefficient
+  // counts.
   const PairSystem digon(kDigon);
   CHECK(digon.side_lengths(parameters(2, 3, {5, 7})) == sides({2 + 3 + 14, 2 + 3 + 10}));
   // Equation 2.
@@ -61,7 +62,7 @@ TEST_CASE("theory-2: the strip matrix is singular exactly when 4 divides k", "[t
       const int k = l1 + l2 - 4;
       INFO("k = " << k);
       if (k == 2) {
-        CHECK(determinant(system.strip_matrix()) == -4);  // both neighbours of a digon's side are the other side
+        CHECK(determinant(system.strip_matrix()) == -4);  // the other side of a digon is both neighbours of a side
       } else if (k % 4 == 0) {
         CHECK(determinant(system.strip_matrix()) == 0);
       } else {
@@ -69,7 +70,7 @@ TEST_CASE("theory-2: the strip matrix is singular exactly when 4 divides k", "[t
       }
     }
   }
-  // Equation 2 falls apart into two 3 x 3 systems of determinant +-2 (sides 1 3 5 and 2 4 6).
+  // Equation 2 consists of two 3 x 3 systems of determinant +-2, for sides 1 3 5 and 2 4 6.
   const IntegerMatrix whole = PairSystem(kHexagon).strip_matrix();
   for (int odd = 0; odd < 2; ++odd) {
     IntegerMatrix part(3, 3);
@@ -89,7 +90,7 @@ TEST_CASE("Bareiss elimination agrees with cofactors", "[theory]") {
 }
 
 TEST_CASE("solve_circulant finds exactly the positive solutions", "[theory]") {
-  // Against brute force over all e in 1..5^k.
+  // Brute force tries all e with entries 1..5.
   for (int k = 1; k <= 6; ++k) {
     std::map<std::vector<Integer>, std::vector<std::vector<Integer>>> by_sides;
     std::vector<Integer> e(static_cast<std::size_t>(k), 1);
@@ -103,7 +104,7 @@ TEST_CASE("solve_circulant finds exactly the positive solutions", "[theory]") {
       ++e[i - 1];
     }
     for (const auto& [c, expected] : by_sides) {
-      // Sums up to 6 keep every solution inside 1..5, so brute force saw all of them.
+      // If sums are at most 6, every solution has entries 1..5. So brute force found all of them.
       if (*std::max_element(c.begin(), c.end()) > 6) continue;
       IntegerVector v(k);
       std::copy(c.begin(), c.end(), v.begin());
@@ -116,8 +117,8 @@ TEST_CASE("solve_circulant finds exactly the positive solutions", "[theory]") {
   CHECK(solve_circulant(sides({2, 2, 9, 2})).empty());  // 2 = e2 + e4 = 9
 }
 
-TEST_CASE("tau as Theorems 7.2 and 7.3 state it", "[theory]") {
-  // N(N-1) for even, N^2 for odd L, N = floor(L/2): written out here by hand.
+TEST_CASE("tau is that of Theorems 7.2 and 7.3", "[theory]") {
+  // N(N-1) for even L and N^2 for odd L, where N = floor(L/2), written out by hand.
   const std::vector<Integer> expected{0, 1, 2, 4, 6, 9, 12, 16, 20, 25};  // L = 2..11
   for (Integer length = 2; length <= 11; ++length) {
     CHECK(tau_digon(length) == expected[static_cast<std::size_t>(length - 2)]);
@@ -125,7 +126,7 @@ TEST_CASE("tau as Theorems 7.2 and 7.3 state it", "[theory]") {
   }
 }
 
-TEST_CASE("parameter sets: the theorem's set, its parity and its identification", "[theory]") {
+TEST_CASE("parameter sets have the range, the parity and the identification of the theorems", "[theory]") {
   for (Integer length = 3; length <= 15; ++length) {
     // {(m,n) : 0 < m+n <= L-2}, with m+n = L mod 2 and (x,0) ~ (0,x).
     std::set<std::pair<Integer, Integer>> expected;
@@ -150,9 +151,9 @@ TEST_CASE("parameter sets: the theorem's set, its parity and its identification"
   }
 }
 
-TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
-  // Every (p, d1, d2, e) with lengths up to a bound, mapped to its region: an independent count, degenerate ones
-  // halved.
+TEST_CASE("brute force over all strip counts gives the same parameter sets", "[theory]") {
+  // Every (p, d1, d2, e) with entries up to a bound is mapped to its region. This is an independent count. Degenerate
+  // configurations have two labellings, so each labelling counts one half.
   const auto brute = [](PairType type, Integer longest) {
     const int k = type.side_count();
     std::map<std::vector<Integer>, Integer> twice;  // by sides
@@ -182,7 +183,7 @@ TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
        {std::pair{kDigon, Integer{6}}, std::pair{kQuad, Integer{4}}, std::pair{kHexagon, Integer{3}}}) {
     int compared = 0;
     for (const auto& [s, twice] : brute(type, longest)) {
-      // A side no longer than the bound + 1 keeps every parameter within it.
+      // If a side is at most the bound + 1, no parameter exceeds the bound.
       if (*std::max_element(s.begin(), s.end()) > longest + 1) continue;
       IntegerVector v(static_cast<Eigen::Index>(s.size()));
       std::copy(s.begin(), s.end(), v.begin());
@@ -194,7 +195,7 @@ TEST_CASE("parameter sets against brute force over all strips", "[theory]") {
   }
 }
 
-TEST_CASE("3-5 regions: K = M N and the labelling of Equation 3", "[theory]") {
+TEST_CASE("3-5 regions have K = M N configurations, with the labelling of Equation 3", "[theory]") {
   // d1 = 2, d2 = 1, e = (1,2,3,1): E = (5, 4, 4, 7), M = E2 - 1 = 3, N = E1 - d1 - 1 = 2 by Theorem 7.4.
   const QuadCount q = quad_count({kQuad, sides({5, 4, 4, 7})});
   CHECK(q.p == 1);
@@ -210,7 +211,7 @@ TEST_CASE("3-5 regions: K = M N and the labelling of Equation 3", "[theory]") {
     CHECK(c.d2() == 1);
   }
   CHECK(points == std::set<std::pair<Integer, Integer>>{{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 1}, {3, 2}});
-  // The same region from each of its sides: the labelling follows, the count stays.
+  // The same region is counted from each of its sides. The labelling changes accordingly, and the count stays.
   CHECK(quad_count({kQuad, sides({4, 4, 7, 5})}).k() == 6);
   CHECK(quad_count({kQuad, sides({4, 4, 7, 5})}).p == 4);
   // A rectangle holds no 3-5 pair.
@@ -218,13 +219,13 @@ TEST_CASE("3-5 regions: K = M N and the labelling of Equation 3", "[theory]") {
   CHECK(parameter_set({kQuad, sides({5, 4, 5, 4})}).empty());
 }
 
-TEST_CASE("non-regular digons: tau of the shorter side, none at odd difference", "[theory]") {
+TEST_CASE("non-regular digons have tau of the shorter side, and none if the difference is odd", "[theory]") {
   CHECK(exact_count({kDigon, sides({5, 9})}) == 4);
   CHECK(exact_count({kDigon, sides({9, 5})}) == 4);
   CHECK_THROWS_AS(exact_count({kDigon, sides({5, 8})}), std::invalid_argument);  // odd boundary
   CHECK(smallest_regular({kDigon, sides({5, 9})}) == 9);
   CHECK(smallest_regular({kHexagon, sides({4, 4, 4, 4, 4, 4})}) == 4);
-  // Growing (3,3,3,4,2,4)-like regions: checked by trying every L and every strip vector.
+  // Regions like (3,3,3,4,2,4) grow from regular ones. This is checked for every L and every vector of strip counts.
   for (const auto& s : {sides({3, 3, 4, 4, 2, 4}), sides({5, 4, 5, 6, 3, 7}), sides({2, 3, 3, 3, 2, 3})}) {
     Integer least = 0;
     for (Integer length = s.maxCoeff(); least == 0; ++length) {
@@ -235,7 +236,7 @@ TEST_CASE("non-regular digons: tau of the shorter side, none at odd difference",
   }
 }
 
-TEST_CASE("impossible sides and parameters are named", "[theory]") {
+TEST_CASE("impossible sides and parameters are refused with the reason", "[theory]") {
   CHECK(RegionShape::problem(kDigon, sides({3, 3})).empty());
   CHECK(RegionShape::problem(kDigon, sides({3, 4})).find("odd") != std::string::npos);
   CHECK(RegionShape::problem(kDigon, sides({3, 3, 3})).find("2 sides") != std::string::npos);
@@ -266,7 +267,7 @@ TEST_CASE("theory-3: both labellings of a segment give the same region", "[theor
   }
 }
 
-TEST_CASE("theory-4: levels, self-loop, double edge, apex", "[theory]") {
+TEST_CASE("theory-4: the graph has levels, a self-loop, a double edge and an apex", "[theory]") {
   const auto even = configuration_graph(configuration_map({kDigon, sides({8, 8})}, Apex::with));
   const auto odd = configuration_graph(configuration_map({kDigon, sides({7, 7})}, Apex::with));
   CHECK(edges_between(odd, {1, 0}, {1, 0}) == 1);
@@ -296,7 +297,7 @@ TEST_CASE("theory-4: levels, self-loop, double edge, apex", "[theory]") {
     }
   }
   CHECK(degree_total(configuration_graph(configuration_map(RegionShape::regular(kHexagon, 6), Apex::with)), true) == 3);
-  // 3-5: an M x N grid has 2 M N - M - N edges.
+  // For a 3-5 pair, an M x N grid has 2 M N - M - N edges.
   const auto grid = configuration_graph(configuration_map({kQuad, sides({5, 4, 4, 7})}, Apex::with));
   CHECK(num_vertices(grid) == 6);
   CHECK(num_edges(grid) == 2 * 6 - 3 - 2);
@@ -322,7 +323,7 @@ TEST_CASE("moves of the predicted map come in pairs", "[theory]") {
 }
 
 TEST_CASE("the dual of a grid is the next smaller grid", "[theory]") {
-  // Captions of Figures 10 and 11; here by counting, in requad-verify's F1 by names.
+  // Captions of Figures 10 and 11. This test compares counts; claim F1 of requad-verify compares labels.
   for (const PairType type : {kDigon, kHexagon}) {
     for (Integer length = 3; length <= 12; ++length) {
       const auto map = configuration_map(RegionShape::regular(type, length), Apex::with);

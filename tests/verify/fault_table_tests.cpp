@@ -1,4 +1,4 @@
-// tests/faults/table.txt: every fault still has its place in the sources, so that tests/faults/run seeds what it says.
+// Tests of tests/faults/table.txt: each fault still has its place in the sources, so that tests/faults/run can seed it.
 #include <fstream>
 #include <map>
 #include <set>
@@ -20,7 +20,7 @@ std::string content(const std::string& path) {
   return text.str();
 }
 
-using Fault = std::map<std::string, std::string>;  // by the keys of the table, and "name"
+using Fault = std::map<std::string, std::string>;  // the values of the table's keys, and of "name"
 
 std::vector<Fault> read_table() {
   std::vector<Fault> faults;

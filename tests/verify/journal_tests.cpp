@@ -1,5 +1,5 @@
-// Journals: what a killed run leaves is enough to go on, and nothing is lost, counted twice or taken from another run.
-// And reports that do not depend on threads.
+// Journals: a run continues from what a killed run leaves. Nothing is lost, counted twice or taken from another run.
+// Also reports, which do not depend on the number of threads.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -33,7 +33,7 @@ CaseResult some_result(int number) {
   return r;
 }
 
-// How opening the journal is refused; "" if it is not.
+// The message by which the journal is refused; "" if it is opened.
 std::string refusal(const std::string& path, const std::string& run, std::size_t cases = 10) {
   try {
     Journal journal(path, run, cases, 2);
@@ -43,13 +43,13 @@ std::string refusal(const std::string& path, const std::string& run, std::size_t
   }
 }
 
-// A run that is slow enough to be killed on its way, and its number of regions.
+// The arguments of a run that is slow enough to be killed.
 const std::string kRun =
     "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
 
 }  // namespace
 
-TEST_CASE("results come back from JSON as they were", "[journal]") {
+TEST_CASE("JSON gives results back unchanged", "[journal]") {
   CaseResult r = some_result(7);
   r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
   const CaseResult back = case_result(nlohmann::ordered_json::parse(to_json(r).dump()), 2);
@@ -66,7 +66,7 @@ TEST_CASE("results come back from JSON as they were", "[journal]") {
   CHECK_THROWS(case_result(to_json(r), 0));
 }
 
-TEST_CASE("JSON that is no result is refused, at a cost that its size bounds", "[journal]") {
+TEST_CASE("JSON that is no result is refused, at a cost bounded by its size", "[journal]") {
   using nlohmann::ordered_json;
   CaseResult r = some_result(7);
   r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
@@ -109,7 +109,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   CHECK(slurp(path) == whole);
   CHECK(refusal(path, "run a", 2) == "--journal: " + path + ": line 2: there is no case 3");
 
-  // Cut anywhere: what is whole stays, the rest goes, and the journal can be added to.
+  // If the journal is cut anywhere, whole lines stay and the rest is dropped. More results can be appended.
   for (std::size_t size = 0; size < whole.size(); ++size) {
     spill(path, whole.substr(0, size));
     const std::size_t kept = line_count(whole.substr(0, size));
@@ -119,7 +119,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
     REQUIRE(line_count(slurp(path)) == std::max<std::size_t>(kept, 1) + 1);
   }
 
-  // Damage before the end is none that a killed run leaves.
+  // A killed run does not leave damage before the end. So such a journal is refused.
   const std::size_t second = whole.find('\n') + 1;
   for (std::size_t at = 0; at < whole.rfind('\n', whole.size() - 2); at += 7) {
     std::string damaged = whole;
@@ -131,28 +131,28 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   spill(path, whole + whole.substr(second));
   CHECK(refusal(path, "run a") == "--journal: " + path + ": line 4: case 3 stands here twice");
 
-  // A case is an integer: checksums are right here, numbers are not.
+  // The number of a case must be an integer. These checksums are right, but the numbers are not.
   for (const auto& [text, sum] :
        {std::pair{"{\"case\":1e20,\"result\":0}", "f9ee0582"}, std::pair{"{\"case\":-1,\"result\":0}", "a945e3da"}}) {
     spill(path, whole.substr(0, second) + sum + " " + text + "\n");
     CHECK(refusal(path, "run a").find("line 2: it is no record: no integer") != std::string::npos);
   }
 
-  // Files that are something else are left alone.
+  // Other files are refused and stay unchanged.
   for (const std::string text : {"x", "hello\n", "a\nb\n"}) {
     spill(path, text);
     CHECK(refusal(path, "run a") == "--journal: " + path + ": line 1: this is no journal of requad-verify");
     CHECK(slurp(path) == text);
   }
   CHECK(refusal(scratch().string(), "run a").find("cannot be opened") != std::string::npos);
-  // What has no end, and what cannot be gone back in.
+  // A file without an end, and one that allows no seeking.
   CHECK(refusal("/dev/zero", "run a") == "--journal: /dev/zero: is no regular file");
   const std::string pipe = (scratch() / "pipe.journal").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   CHECK(refusal(pipe, "run a") == "--journal: " + pipe + ": is no regular file");
 }
 
-TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
+TEST_CASE("a run that was killed continues where it stopped", "[journal]") {
   const Outcome at_once = call("verify", kRun + "--json at-once.json --threads 1");
   REQUIRE(at_once.code == 0);
   const Outcome two = call("verify", kRun + "--json two.json --threads 2");
@@ -166,19 +166,19 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   for (const std::size_t lines : {std::size_t{4}, std::size_t{20}})
     CHECK(killed_at_line("verify", kRun + "--threads 2 --journal killed.journal", "killed.journal", lines));
   const std::size_t kept = line_count(slurp(journal));
-  // The end of a line, as if it had been torn.
+  // A part of a line at the end looks like a torn one.
   std::ofstream(journal, std::ios::app) << slurp(journal).substr(0, 40);
   const Outcome rest = call("verify", kRun + "--json rest.json --journal killed.journal");
   REQUIRE(rest.code == 0);
   CHECK(without_seconds(slurp(scratch() / "rest.json")) == expected);
   const std::string full = slurp(journal);
   CHECK(line_count(full) > kept);
-  // All is there now: nothing is run, and the report is the same.
+  // The journal is complete now. Another run studies nothing, and its report is the same.
   CHECK(call("verify", kRun + "--json again.json --journal killed.journal").code == 0);
   CHECK(slurp(journal) == full);
   CHECK(without_seconds(slurp(scratch() / "again.json")) == expected);
 
-  // Another run's journal, in one line.
+  // Another run's journal is refused in one line.
   const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
   CHECK(other.code == 2);
   CHECK(line_count(other.err) == 1);
@@ -186,7 +186,7 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   CHECK(other.err.find(") claims T2 T4 M1; digon 3..16;") != std::string::npos);
   CHECK(slurp(journal) == full);
 
-  // Another build's, though the version is the same: a program with a byte more at its end, which nothing reads.
+  // So is another build's journal, even if the version is the same. This build has one byte more, which nothing reads.
   std::filesystem::copy_file(REQUAD_PROGRAM_DIR "/requad-verify", scratch() / "requad-verify");
   std::ofstream(scratch() / "requad-verify", std::ios::app) << '\n';
   const Outcome build = call("edit", "--version >/dev/null; ./requad-verify " + kRun + "--journal killed.journal");
@@ -195,10 +195,10 @@ TEST_CASE("a run that was killed goes on where it stopped", "[journal]") {
   CHECK(slurp(journal) == full);
 }
 
-TEST_CASE("a journal that the disk has no room for ends the run, and can be gone on with", "[journal]") {
+TEST_CASE("a full disk ends a run with a journal, and another run continues it", "[journal]") {
   const Outcome at_once = call("verify", kRun + "--json at-once.json");
   REQUIRE(at_once.code == 0);
-  // A limit on the size of files, of four blocks as the shell counts them: 512 bytes or 1 KiB.
+  // The size of files is limited to four blocks of the shell, each 512 bytes or 1 KiB.
   const Outcome full = call("edit", "--version >/dev/null; ulimit -f 4; '" REQUAD_PROGRAM_DIR "/requad-verify' " +
                                         kRun + "--threads 2 --journal full.journal");
   INFO(full.err);
@@ -215,7 +215,7 @@ TEST_CASE("a journal that the disk has no room for ends the run, and can be gone
   CHECK(without_seconds(slurp(scratch() / "rest.json")) == without_seconds(slurp(scratch() / "at-once.json")));
 }
 
-TEST_CASE("verify walks alone, far beyond what moves and search can do", "[journal]") {
+TEST_CASE("the walk alone verifies regions far beyond the reach of moves and search", "[journal]") {
   const Outcome made =
       call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
   CHECK(made.code == 0);

@@ -1,4 +1,4 @@
-// The proofs for all sizes that the claims name: each goes through, and one that does not makes its claim fail.
+// The proofs for all sizes that the claims name. Each proof holds, and a proof that fails makes its claim fail.
 #include <algorithm>
 
 #include "tests/support/catch.hpp"
@@ -8,7 +8,7 @@
 using namespace requad;
 using namespace requad::theory;
 
-TEST_CASE("every proof goes through, with steps that compute", "[proofs]") {
+TEST_CASE("every proof holds, with computed steps", "[proofs]") {
   int proofs = 0;
   for (const verify::Claim& claim : verify::claims()) {
     const auto proof = proof_of(claim.id);
@@ -50,7 +50,7 @@ TEST_CASE("a proof that fails makes its claim fail, in every report", "[proofs]"
   CHECK(report_text(result, ranges).find("T2 fails: the proof for all L >= 1 fails: L = 0 mod 2") != std::string::npos);
   CHECK(report_html(result, ranges).find("Not proved</span>") != std::string::npos);
 
-  // A proof without a computed step is none.
+  // A proof without a computed step does not count.
   ClaimResult empty;
   attach_proof(empty, Proof{});
   CHECK(empty.violation.has_value());

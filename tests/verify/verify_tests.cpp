@@ -1,4 +1,4 @@
-// requad-verify's library: claims hold on small ranges, and each claim fails when its facts are falsified.
+// The library of requad-verify: claims hold on small ranges, and each claim fails if its facts are falsified.
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"
@@ -23,7 +23,7 @@ const std::set<Method> kAll{Method::moves, Method::search, Method::walk};
 
 PairStudy study_of(theory::PairType type, const theory::IntegerVector& s) { return study_pair({type, s}, kAll); }
 
-// What the checks may be tested with: a kind of study, falsified.
+// Checks that a claim holds for this study, and fails after the study is falsified.
 template <class Kind, class Falsify>
 void fails(const std::string& id, Kind s, Falsify falsify) {
   INFO(id);
@@ -106,7 +106,7 @@ TEST_CASE("errata come with instances", "[verify]") {
   CHECK(errata[1].instance == "hexagon of side 3: the set as written has 6 elements, there are 3 configurations");
 }
 
-TEST_CASE("one region is judged by the claims that are asked for", "[verify]") {
+TEST_CASE("a region is judged by the requested claims that apply to it", "[verify]") {
   const std::vector<std::string> ids{"M1", "T2", "T3", "N1"};
   const auto verdicts = judge_region(study_of(theory::kDigon, sides({6, 6})), ids);
   REQUIRE(verdicts.size() == 2);  // T3 is about hexagons, N1 about 3-5 regions
@@ -117,7 +117,7 @@ TEST_CASE("one region is judged by the claims that are asked for", "[verify]") {
   CHECK(find_claim("T5") == nullptr);
 }
 
-// A check that cannot fail is worse than none: falsify the facts it looks at, one by one.
+// A check that cannot fail is worse than none. So this test falsifies the facts that each check reads, one by one.
 TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const PairStudy digon = study_of(theory::kDigon, sides({6, 6}));
   const PairStudy hexagon = study_of(theory::kHexagon, sides({5, 5, 5, 5, 5, 5}));
@@ -171,7 +171,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("N4", hexagon, [&](PairStudy& x) { ++first_made(x).operations; });
   fails("N4", quad, [&](PairStudy& x) { std::swap(first_made(x).before, first_made(x).after); });
   fails("G1", digon, [](PairStudy& x) {
-    // Every valid mesh keeps the law, so take one whose arrays have lost a vertex: its index is missing from the sum.
+    // Every valid mesh obeys the law. So this mesh has lost a vertex from its arrays, and the sum lacks its index.
     const auto& m = x.found.nodes[0].region.mesh;
     std::vector<mesh::HalfEdgeId> twin, out;
     std::vector<mesh::VertexId> origin;
@@ -187,7 +187,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
         [](PairStudy& x) { x.found.nodes[0].reading.frames.push_back(x.found.nodes[0].reading.frames[0]); });
   fails("L8", hexagon, [](PairStudy& x) { ++x.found.nodes[0].reading.frames[0].frame.d2; });
   fails("L9", digon, [](PairStudy& x) {
-    // An L of three quads: five corners, no curvature.
+    // Three quads in the shape of an L have five corners and no curvature.
     x.found.nodes[0].region = {mesh::QuadMesh::from_faces(8, tests::FaceList{{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}),
                                mesh::HalfEdgeId(0)};
   });
@@ -211,12 +211,12 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     std::erase_if(x.found.moves, [&](const auto& m) { return m.to >= 0 && !x.found.holds_pair(m.to); });
   });
 
-  // A shortest path is one: forget the moves that make the other ones longer than they look.
+  // The found graph lacks the moves out of merged configurations. So a distance differs from the length of a path.
   fails("R1", digon, [&](PairStudy& x) {
     std::erase_if(x.found.moves, [&](const auto& m) { return m.to >= 0 && !x.found.holds_pair(m.from); });
   });
 
-  // One irregular vertex: another vertex in its place, or operations that are not there.
+  // Claims about one irregular vertex: another vertex is in its place, or configurations are missing.
   const auto single = [](int valence, theory::Integer length) {
     const RegionCase region = VertexCase{theory::IntegerVector::Constant(valence, length)};
     return std::get<VertexStudy>(study(region, kAll));
@@ -231,13 +231,13 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("A3", single(4, 6), instead(single(5, 6)));
   fails("A4", single(2, 6), instead(single(3, 6)));
   fails("A4", single(6, 6), instead(single(7, 8)));
-  // A v3 and a far v5: operations at the v3 leave more irregular vertices than the one the claim starts from, but one
-  // that removes an adjacent pair leaves fewer. Claims about a neighbourhood do not apply where it is not regular.
+  // This region has a v3 and a far v5. Claims about the neighbourhood of a vertex do not apply where other vertices are
+  // irregular.
   VertexStudy not_single = single(3, 6);
   not_single.glued = {quad.found.nodes[0].region};
   CHECK_FALSE(claim("B1").judge(not_single).applies);
   fails("P4", digon, [](PairStudy& x) {
-    // The configuration that the transport should make is forgotten.
+    // The configuration that the transport should make is missing.
     for (auto& node : x.found.nodes) node.signature += "0";
   });
   fails("P4", quad, [&](PairStudy& x) {
@@ -252,7 +252,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const TripleStudy other = three(sides({2, 4, 6}));
   fails("N3", other, [](TripleStudy& x) { x.with_two.clear(); });
   fails("N3", other, [](TripleStudy& x) { x.with_one.push_back("0"); });
-  // A1 at a pair that is not adjacent.
+  // Claim A1 for a pair that is not adjacent.
   const PairStudy adjacent = study_of(theory::kQuad, sides({5, 4, 4, 5}));
   fails("A1", adjacent, [&](PairStudy& x) {
     for (auto& node : x.found.nodes)
