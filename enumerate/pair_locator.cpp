@@ -20,7 +20,7 @@ bool PairLocator::trace(const Pair& pair) {
   if (!collect(pair[0], 0)) return false;
   if (!merged(pair) && !collect(pair[1], 1)) return false;
   const std::size_t total = count_[0] + count_[1];
-  // Traces all of them side by side, since each step of a single one waits for memory.
+  // Traces all of them by turns, since following a half-edge is mostly waiting for memory.
   mesh::trace_ends(m_, std::span(arrivals_).first(total), m_.half_edge_capacity());
   for (std::size_t i = 0; i < total; ++i) traced_ += arrivals_[i].length;
   for (std::size_t i = 0; i < total; ++i) {

@@ -68,7 +68,7 @@ using ConfigurationGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost
 ConfigurationGraph configuration_graph(const ConfigurationMap& map);
 
 // The inner faces of the map and their adjacency. Each bounded face is a node of the dual, labelled by the grid point
-// at its centre, which belongs to the region one step smaller or larger. Each edge of the map that has bounded faces on
+// at its centre, which belongs to the next smaller or larger region. Each edge of the map that has bounded faces on
 // both sides, or the same one twice, is an edge of the dual. Precondition: the valences are equal.
 struct DualGrid {
   std::vector<Configuration> faces;       // canonical (d1, d2, p); strips are left empty

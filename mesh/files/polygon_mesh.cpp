@@ -71,10 +71,10 @@ class ParitySets {
     // Path compression: each element on the path gets its parity to the root.
     for (bool rest = odd; x != at;) {
       const std::size_t next = parent_[x];
-      const bool step = odd_[x];
+      const bool to_parent = odd_[x];
       parent_[x] = at;
       odd_[x] = rest;
-      rest = rest != step;
+      rest = rest != to_parent;
       x = next;
     }
     return {at, odd};

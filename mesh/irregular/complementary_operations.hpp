@@ -22,10 +22,10 @@ struct Cancellation {
   std::vector<VertexId> helpers;  // where the helpers are now that are still irregular
 };
 
-// Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 walks to the v5 along a
-// shortest path. Each of its steps leaves an adjacent pair behind, which one of the helpers absorbs; that helper moves
-// by an edge each time. The last adjacent pair is made of the v3 and the v5 themselves. The helpers, at least one, are
-// the third vertices of section 8. A helper that becomes regular drops out (a 3-3-5-5 removal).
+// Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 moves to the v5 along a
+// shortest path, edge by edge. For each edge it leaves an adjacent pair behind, which one of the helpers absorbs. That
+// helper moves by an edge, too. The last adjacent pair is made of the v3 and the v5 themselves. The helpers, at least
+// one, are the third vertices of section 8. A helper that becomes regular drops out (a 3-3-5-5 removal).
 //
 // A fixed vertex counts as a v3 or v5 by the excess of one of its sectors (sectors.hpp).
 //

@@ -1,5 +1,5 @@
-// The transport of an adjacent 3-5 pair by given steps: how pair moves carry it (transport.hpp has the one that
-// searches).
+// The transport of an adjacent 3-5 pair by given steps, as pair moves need it. (The transport in transport.hpp searches
+// for a path.)
 //
 // Internal to pair_moves.cpp: not installed.
 #pragma once
@@ -15,9 +15,9 @@ namespace requad::mesh {
 // Performs basic operations in sequence and knows where the adjacent pair is. After a refusal nothing more is done; the
 // caller rolls the log back.
 //
-// What may be irregular on the way are the pair that moves, the vertices that the first operation changes, and the
-// adjacent pair. Any other vertex that a step changes is regular before the adjacent pair comes and after it has left
-// (Law irregular-1 in transport.hpp). So this is all there is to keep in mind, and to look at in the end.
+// On the way, only the pair that moves, the vertices that the first operation changes, and the adjacent pair may be
+// irregular. Any other vertex that a step changes is regular before the adjacent pair comes and after it has left (Law
+// irregular-1 in transport.hpp). So these are the only vertices to remember, and to check in the end.
 class DirectTransport {
  public:
   DirectTransport(OperationLog& log, const PairFrame& pair);
@@ -35,12 +35,12 @@ class DirectTransport {
   VertexId v3() const { return pair_.u(m_); }
   VertexId v5() const { return pair_.v(m_); }
 
-  // So many steps of one kind on one hand. A split goes on along the `turn`-th edge of the v5.
+  // Makes this many steps of one kind on one hand. A split continues along the `turn`-th edge of the v5.
   void split(Hand hand, int times = 1, int turn = 2);
   void collapse(Hand hand, int times = 1);
   void flip(Hand hand, int times = 1);
-  // A first operation that is no step of an adjacent pair. Refused if it changes a valence on the boundary, or that of
-  // an irregular vertex other than the pair.
+  // Performs a first operation that is no step of an adjacent pair. Refused if it changes a valence on the boundary, or
+  // that of an irregular vertex other than the pair.
   void run(const BasicOperation& op);
 
   // Refuses unless all that changed is regular, but for the pair itself.

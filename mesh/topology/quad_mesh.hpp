@@ -31,7 +31,7 @@
 //               Hence the four vertices of a face differ. An interior vertex of valence 2 is allowed.
 // Not required: connectedness, a boundary, a certain genus.
 //
-// Costs: a step from one element to the next is O(1), a valence is O(valence). No operation changes the handle of an
+// Costs: the way from one element to the next takes O(1), a valence O(valence). No operation changes the handle of an
 // element that it keeps.
 #pragma once
 
@@ -188,7 +188,7 @@ class QuadMesh {
 // Whether v is interior and its valence is not 4. O(valence).
 inline bool is_irregular(const QuadMesh& mesh, VertexId v) { return !mesh.is_boundary(v) && mesh.face_valence(v) != 4; }
 std::vector<VertexId> irregular_vertices(const QuadMesh& mesh);
-// Whether origin(h) is interior and of valence 4. Takes at most four steps, whatever the valence.
+// Whether origin(h) is interior and of valence 4. Follows at most four half-edges, whatever the valence.
 // Precondition: h is live.
 inline bool leaves_regular_vertex(const QuadMesh& mesh, HalfEdgeId h) {
   const HalfEdgeId second = mesh.ccw(h);

@@ -40,7 +40,8 @@ struct SeparatrixEnd {
 };
 // Advances several straight paths, each from its `last` half-edge, which becomes the first of its path. Each path
 // advances to its end, or until it has `most` edges (>= 1); a path that is not finished by then is reported as closed.
-// The paths advance alternately, because a step is mostly waiting for memory. O(sum of lengths); allocates nothing.
+// The paths advance by turns, because following a half-edge is mostly waiting for memory. O(sum of lengths); allocates
+// nothing.
 void trace_ends(const QuadMesh& mesh, std::span<SeparatrixEnd> paths, int most);
 
 }  // namespace requad::mesh

@@ -13,7 +13,7 @@ class Validator {
  public:
   explicit Validator(const QuadMesh& mesh) : m_(mesh) {}
 
-  // Each step follows only indices that the steps before have checked.
+  // Each check follows only indices that the checks before have found to be in range.
   std::vector<Defect> run() {
     if (!check_sizes() || !check_ranges()) return std::move(defects_);
     half_edges_ = m_.half_edges();

@@ -113,8 +113,8 @@ int excess(const std::multiset<int>& valences) {
   return sum;
 }
 
-// Whether a sequence of splits, each of which brings the valences nearer to v3s and v5s, reaches v3s and v5s alone.
-// Tries the largest step first and backtracks.
+// Whether a sequence of splits leads to v3s and v5s alone. Each split must bring the valences nearer to these. Tries
+// the split with the largest gain first, and backtracks.
 bool reducible_by_splits(const QuadMesh& m, int now) {
   if (now == 0) return true;
   std::multimap<int, BasicOperation> better;
