@@ -7,9 +7,9 @@
 // A placement is left out if it doubles an edge, if the face limit cannot be kept, or if it leaves a hole that cannot
 // be filled. Such a hole has an odd number of edges, or it requires an index that no part of the budget has.
 //
-// Costs. Usually an end of the edge is a hole corner. A listing then takes constant time and two walks along the ring.
-// One walk goes to the nearest hole corner. The other passes the candidates for the quad's fourth corner, and ends when
-// no concave node is left. In a hole without corners, a walk goes once round the ring.
+// Costs. Usually an end of the edge is a hole corner. A listing then takes constant time and two passes along the ring.
+// One pass goes to the nearest hole corner. The other one goes over the candidates for the quad's fourth corner, and ends
+// when no concave node is left. In a hole without corners, one pass goes once round the ring.
 //
 // Internal: not installed.
 #pragma once

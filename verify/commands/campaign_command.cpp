@@ -202,8 +202,8 @@ program::Command campaign_command(Processes& processes) {
                             "  walk    all configurations are visited on one mesh and identified by their "
                             "separatrices; alone, for digons up to side 2000 and hexagons up to 1000"),
               program::value("journal", "FILE",
-                             "keep the result of each region in FILE; a run that was killed goes on where it stopped "
-                             "when the same command is given again"),
+                             "keep the result of each region in FILE; if a run was killed, the same command "
+                             "continues where it stopped"),
               program::value("failures", "DIR", "write the mesh of a violation as OBJ into DIR (default .)"),
               program::value("certificate", "DIR",
                              "write every configuration, every edge with its script, and the counts into DIR, for "
