@@ -8,8 +8,8 @@
 // be filled. Such a hole has an odd number of edges, or it requires an index that no part of the budget has.
 //
 // Costs. Usually an end of the edge is a hole corner. A listing then takes constant time and two passes along the ring.
-// One pass goes to the nearest hole corner. The other one goes over the candidates for the quad's fourth corner, and ends
-// when no concave node is left. In a hole without corners, one pass goes once round the ring.
+// One pass goes to the nearest hole corner. The other one goes over the candidates for the quad's fourth corner, and
+// ends when no concave node is left. In a hole without corners, one pass goes once round the ring.
 //
 // Internal: not installed.
 #pragma once

@@ -10,7 +10,7 @@ const state = {
   moving: null,      // {move, film, start, duration, whole} while a mesh changes
   path: [],          // indices of moves: the shortest path that is chosen
   step: 0,           // the next one of them
-  pathShown: false,  // whether the graph shows the path; true after the first choice of one
+  pathShown: false,  // whether the graph shows the path: once somebody has chosen or played one
   playing: false,
   timer: 0,
   last: null,  // the last move made and the mesh that its operations gave
