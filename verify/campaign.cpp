@@ -134,6 +134,8 @@ ClaimResult summed_up(const Claim& claim, std::size_t index, const CaseList& lis
     if (!j.row.is_null()) total.table.push_back(std::move(j.row));
     if (j.violation && !total.violation) {
       total.violation = std::move(j.violation);
+      total.predicted = std::move(j.predicted);
+      total.found = std::move(j.found);
       total.violating_region = list.cases[i];
     }
   }

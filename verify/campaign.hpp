@@ -30,6 +30,8 @@ struct ClaimResult {
   double seconds = 0;                  // spent on judging, summed over threads
   std::optional<Violation> violation;  // the first in the order of the cases
   std::optional<RegionCase> violating_region;
+  std::string predicted;  // for the violating region, beside what was found there (claims/claims.hpp)
+  std::string found;
   std::optional<theory::Proof> proof;  // for every size, where linear algebra decides the claim
 };
 

@@ -23,31 +23,19 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
   const auto since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  const auto failed = [](const std::exception& error) {
-    Judgement j;
-    j.violation = Violation{error.what(), "", "", std::nullopt};
-    return j;
-  };
   CaseResult result;
-  const Family family = family_of(region);
   const auto start = Clock::now();
   try {
     const Study s = study(region, methods, progress);
     result.study_seconds = since(start);
     for (const Claim* claim : selected) {
       const auto judging = Clock::now();
-      try {
-        const bool concerns = claim->families.count(family) > 0;
-        result.judgements.push_back(concerns ? claim->judge(s) : not_applicable());
-      } catch (const std::exception& error) {
-        if (program::is_exhaustion(error)) throw;
-        result.judgements.push_back(failed(error));
-      }
+      result.judgements.push_back(claim->judge_safely(s));
       result.seconds.push_back(since(judging));
     }
   } catch (const std::exception& error) {
     if (program::is_exhaustion(error)) throw;
-    result.judgements.assign(selected.size(), failed(error));
+    result.judgements.assign(selected.size(), broken_off(error));
     result.seconds.assign(selected.size(), 0);
   }
   return result;
@@ -82,7 +70,8 @@ mesh::Region region_from(const ordered_json& json) {
 
 }  // namespace
 
-// Leaves out the claims that do not apply to the region, which are most of them.
+// Leaves out the claims that do not apply to the region, which are most of them. What was predicted and found is
+// reported of a violation only.
 ordered_json to_json(const CaseResult& result) {
   ordered_json json{{"study_seconds", result.study_seconds}, {"claims", ordered_json::array()}};
   for (std::size_t i = 0; i < result.judgements.size(); ++i) {
@@ -91,10 +80,10 @@ ordered_json to_json(const CaseResult& result) {
     ordered_json entry{{"claim", i}, {"seconds", result.seconds[i]}, {"checks", j.checks}};
     if (!j.row.is_null()) entry["row"] = j.row;
     if (j.violation) {
-      entry["violation"] = {{"what", j.violation->what},
-                            {"configuration", j.violation->configuration},
-                            {"move", j.violation->move},
-                            {"mesh", j.violation->mesh ? region_json(*j.violation->mesh) : ordered_json()}};
+      entry["violation"] = {
+          {"what", j.violation->what}, {"configuration", j.violation->configuration},
+          {"move", j.violation->move}, {"predicted", j.predicted},
+          {"found", j.found},          {"mesh", j.violation->mesh ? region_json(*j.violation->mesh) : ordered_json()}};
     }
     json["claims"].push_back(std::move(entry));
   }
@@ -116,6 +105,8 @@ CaseResult case_result(const ordered_json& json, std::size_t claims) {
       const ordered_json& v = entry["violation"];
       j.violation = Violation{v.at("what").get<std::string>(), v.at("configuration").get<std::string>(),
                               v.at("move").get<std::string>(), std::nullopt};
+      j.predicted = v.at("predicted").get<std::string>();
+      j.found = v.at("found").get<std::string>();
       if (!v.at("mesh").is_null()) j.violation->mesh = region_from(v["mesh"]);
     }
     result.seconds[i] = entry.at("seconds").get<double>();

@@ -32,7 +32,9 @@ ordered_json counterexample(const ClaimResult& c) {
   return {{"region", c.violating_region ? describe(*c.violating_region) : ""},
           {"configuration", c.violation->configuration},
           {"move", c.violation->move},
-          {"what", c.violation->what}};
+          {"what", c.violation->what},
+          {"predicted", c.predicted},
+          {"found", c.found}};
 }
 
 ordered_json proof_json(const std::optional<theory::Proof>& proof) {
@@ -120,9 +122,8 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     if (!c.violation) continue;
     out << '\n' << c.claim->id << " fails";
     if (c.violating_region) out << ": " << describe(*c.violating_region);
-    if (!c.violation->configuration.empty()) out << ", configuration " << c.violation->configuration;
-    if (!c.violation->move.empty()) out << ", move " << c.violation->move;
-    out << ": " << c.violation->what << '\n';
+    out << ": " << described(*c.violation) << '\n';
+    if (!c.predicted.empty()) out << "  predicted: " << c.predicted << "\n  found: " << c.found << '\n';
   }
   return out.str();
 }
@@ -211,7 +212,10 @@ std::string report_html(const CampaignResult& result, const Ranges& ranges) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>requad: the claims, one by one</title>
 <style>
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; }
+body {
+  font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222;
+  background: #fff;
+}
 h2 { margin-top: 2.5rem; border-top: 1px solid #ccc; padding-top: 1rem; }
 table { border-collapse: collapse; font-size: 0.9rem; display: block; overflow-x: auto; }
 th, td { border: 1px solid #ccc; padding: 0.15rem 0.5rem; text-align: right; }
@@ -223,8 +227,8 @@ nav a { display: inline-block; margin-right: 0.7rem; }
 <body>
 <h1>The claims, one by one</h1>
 <p>Claims of Peng, Zhang, Kobayashi and Wonka, <em>Connectivity Editing for Quadrilateral Meshes</em> (2011), checked by
-computer. <em>Moves</em> explores from one configuration by every pair move until nothing is new; <em>search</em> fills the
-boundary with quads in every possible way, without any theorem.</p>
+computer. <em>Moves</em> explores from one configuration by every pair move until nothing is new; <em>search</em> fills
+the boundary with quads in every possible way, without any theorem.</p>
 <nav aria-label="claims">
 )";
   for (const auto& c : report["claims"]) {
@@ -241,7 +245,8 @@ boundary with quads in every possible way, without any theorem.</p>
     if (!c["counterexample"].is_null()) {
       html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " +
               escaped(c["counterexample"]["configuration"]) + " " + escaped(c["counterexample"]["move"]) + ": " +
-              escaped(c["counterexample"]["what"]) + "</p>\n";
+              escaped(c["counterexample"]["what"]) + "<br>Predicted: " + escaped(c["counterexample"]["predicted"]) +
+              "<br>Found: " + escaped(c["counterexample"]["found"]) + "</p>\n";
     }
     if (!c["proof"].is_null()) html += html_proof(c["proof"]);
     if (!c["totals"].empty()) html += html_table(c["totals"]);

@@ -9,6 +9,7 @@
 #include "mesh/geometry/drawing.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "theory/counts.hpp"
+#include "verify/claims/claims.hpp"
 
 namespace requad::figures {
 
@@ -316,6 +317,23 @@ std::string explorer_problem(const theory::RegionShape& shape) {
   return "";
 }
 
+ordered_json explorer_claims(const Exploration& found) {
+  std::vector<std::string> ids;
+  for (const verify::Claim& claim : verify::claims()) ids.push_back(claim.id);
+  ordered_json json = ordered_json::array();
+  for (const verify::RegionVerdict& verdict : verify::judge_region(verify::study_moves(found), ids)) {
+    const auto& violation = verdict.judgement.violation;
+    json.push_back({{"id", verdict.claim->id},
+                    {"where", verdict.claim->where},
+                    {"statement", verdict.claim->statement},
+                    {"predicted", verdict.judgement.predicted},
+                    {"found", verdict.judgement.found},
+                    {"holds", verdict.holds()},
+                    {"violation", violation ? verify::described(*violation) : ""}});
+  }
+  return json;
+}
+
 ordered_json explorer_data(const Exploration& found) {
   const PairType type = found.shape.type();
   const IntegerVector& sides = found.shape.sides();
@@ -325,7 +343,7 @@ ordered_json explorer_data(const Exploration& found) {
                     {"grid", type.rotation_count() == 3 ? "cube" : "flat"},
                     {"nodes", ordered_json::array()},
                     {"moves", ordered_json::array()},
-                    {"claims", ordered_json::array()}};
+                    {"claims", explorer_claims(found)}};
   for (const FoundNode& node : found.nodes) json["nodes"].push_back(node_json(type, node));
   for (const FoundMove& move : found.moves) {
     if (move.to < 0) continue;
@@ -344,14 +362,6 @@ ordered_json explorer_data(const Exploration& found) {
                              {"deleted", move.faces_deleted},
                              {"arrows", arrows(from.region.mesh, move.move)},
                              {"operations", operations_json(from.region.mesh, move.script)}});
-  }
-  for (const RegionClaim& claim : region_claims(found)) {
-    json["claims"].push_back({{"id", claim.id},
-                              {"where", claim.where},
-                              {"statement", claim.statement},
-                              {"predicted", claim.predicted},
-                              {"found", claim.found},
-                              {"holds", claim.holds}});
   }
   return json;
 }

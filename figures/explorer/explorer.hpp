@@ -25,12 +25,11 @@
 //   moves   from, to, spots and names (at either end), key, change, step, made, deleted; arrows [[v,w],[v,w]] as in
 //           Figure 9, from each irregular vertex towards vertex w; operations {kind, patch, and the vertices that
 //           describe it}
-//   claims  id, where, statement, predicted, found, holds
+//   claims  what verify/ says of the region: id, where, statement, predicted, found, holds, violation ("" if it holds)
 // The same region gives the same bytes.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -47,21 +46,11 @@ inline constexpr theory::Integer kLongestSide = 60;
 // or if a bound above is exceeded.
 std::string explorer_problem(const theory::RegionShape& shape);
 
-// A claim of the paper, judged for one region by comparing what theory/ predicts with what moves found.
-struct RegionClaim {
-  std::string id;     // as in requad-verify
-  std::string where;  // "Theorem 7.2"
-  std::string statement;
-  std::string predicted;
-  std::string found;
-  bool holds = false;
-};
-// The claims about the region, in the order of the page. Precondition: `found` comes from explore_all() with the merged
-// configuration. O(moves + nodes * mesh).
-std::vector<RegionClaim> region_claims(const enumerate::Exploration& found);
-
-// The data of the page. Preconditions: explorer_problem() is "", and `found` is as above.
+// The data of the page. Preconditions: explorer_problem() is "", and `found` comes from explore_all() with the merged
+// configuration.
 nlohmann::ordered_json explorer_data(const enumerate::Exploration& found);
+// Its claims alone: every claim of verify/ that says something about the region, in the order of the ledger.
+nlohmann::ordered_json explorer_claims(const enumerate::Exploration& found);
 
 // The page with these data.
 std::string explorer_page(const nlohmann::ordered_json& data);

@@ -369,9 +369,11 @@ function fillPage() {
       cell.textContent = claim[name];
       cell.dataset.title = name;
     }
-    row.insertCell().append(Object.assign(
-        document.createElement("span"),
-        claim.holds ? {className: "holds", textContent: "✓ holds"} : {className: "fails", textContent: "✗ fails"}));
+    row.insertCell().append(
+        Object.assign(
+            document.createElement("span"),
+            claim.holds ? {className: "holds", textContent: "✓ holds"} : {className: "fails", textContent: "✗ fails"}),
+        claim.holds ? "" : ` ${claim.violation}`);
   }
   if (data.claims.some((claim) => !claim.holds)) $("claims-title").textContent = "Claims, some of which fail here";
   const vertex = (valence) => {

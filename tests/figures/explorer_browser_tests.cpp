@@ -89,6 +89,35 @@ TEST_CASE("in a browser, each arrow key makes the move that the theory predicts"
   }
 }
 
+TEST_CASE("in a browser, the claims are shown with what was predicted and found", "[explorer][browser]") {
+  const auto program = chromium();
+  if (!program) return;
+  Browser browser(*program);
+  enumerate::Exploration found = explored({theory::kDigon, sides({6, 6})});
+  found.moves.front().inverse_returns = false;
+  const nlohmann::ordered_json data = explorer_data(found);
+  const std::filesystem::path path = scratch() / "claims.html";
+  spill(path, explorer_page(data));
+  browser.open(path.string());
+  REQUIRE(browser.wait("window.explorer"));
+  CHECK(browser.evaluate("document.getElementById('claims-title').textContent") == "Claims, some of which fail here");
+  const json rows = browser.evaluate(
+      "[...document.querySelectorAll('#claims tbody tr')].map((r) => [...r.cells].map((c) => c.textContent))");
+  REQUIRE(rows.size() == data["claims"].size());
+  int failing = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& claim = data["claims"][i];
+    const auto word = [&claim](const char* key) { return claim[key].get<std::string>(); };
+    CHECK(rows[i][0] == word("id") + ". " + word("statement") + " (" + word("where") + ")");
+    CHECK(rows[i][1] == word("predicted"));
+    CHECK(rows[i][2] == word("found"));
+    CHECK(rows[i][3] == (claim["holds"] == true ? "✓ holds" : "✗ fails " + word("violation")));
+    failing += claim["holds"] == true ? 0 : 1;
+  }
+  CHECK(failing == 1);  // T2 alone looks at a move's inverse
+  CHECK(browser.complaints() == std::vector<std::string>{});
+}
+
 TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffices", "[explorer][browser]") {
   const auto program = chromium();
   if (!program) return;

@@ -14,6 +14,7 @@
 #include "tests/support/programs.hpp"
 #include "tests/support/theory/integer_vector.hpp"
 #include "theory/configuration_graph.hpp"
+#include "verify/claims/claims.hpp"
 
 using namespace requad;
 using namespace requad::figures;
@@ -173,33 +174,37 @@ TEST_CASE("the explorer's graph has the positions of Figures 10, 11 and 12", "[e
   }
 }
 
-TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
-  const auto claim = [](const std::vector<RegionClaim>& claims, const std::string& id) {
-    const auto it = std::find_if(claims.begin(), claims.end(), [&](const RegionClaim& c) { return c.id == id; });
-    REQUIRE(it != claims.end());
-    return *it;
-  };
-  const auto failing = [](const std::vector<RegionClaim>& claims) {
-    std::multiset<std::string> ids;
-    for (const RegionClaim& c : claims) {
-      if (!c.holds) ids.insert(c.id);
+TEST_CASE("the explorer's claims are those of verify, and fail on false facts", "[explorer]") {
+  using Ids = std::set<std::string>;
+  const auto failing = [](const ordered_json& claims) {
+    Ids ids;
+    for (const auto& c : claims) {
+      CHECK(c["holds"].get<bool>() == c["violation"].get<std::string>().empty());
+      if (!c["holds"].get<bool>()) ids.insert(c["id"]);
     }
     return ids;
   };
-  using Ids = std::multiset<std::string>;
-  for (const Example& e : examples()) CHECK(failing(region_claims(explored(e))).empty());
+  for (const Example& e : examples()) {
+    const enumerate::Exploration found = explored(e);
+    const ordered_json claims = explorer_data(found)["claims"];
+    CHECK(claims == explorer_claims(found));
+    CHECK(failing(claims).empty());
+    Ids ids;
+    for (const auto& c : claims) {
+      const verify::Claim* const claim = verify::find_claim(c["id"]);
+      REQUIRE(claim != nullptr);
+      CHECK(c["where"] == claim->where);
+      CHECK(c["statement"] == claim->statement);
+      CHECK(!c["predicted"].get<std::string>().empty());
+      CHECK(!c["found"].get<std::string>().empty());
+      ids.insert(c["id"]);
+    }
+    const std::string count = e.type() == theory::kDigon ? "T2" : e.type() == theory::kHexagon ? "T3" : "T4";
+    for (const std::string& id : Ids{count, e.type().symmetric() ? "P2" : "P1", "P3", "L8", "L9", "T11", "M1"})
+      CHECK(ids.count(id) == 1);
+  }
 
-  // By hand: tau = 3 * 2 with N = 3 (Theorem 7.2), tau = 3 * 2^2 with N = 2 (7.3), K = (5 - 1) (6 - 2 - 1) (7.4).
   const Example digon{theory::kDigon, sides({6, 6})};
-  const auto claims = region_claims(explored(digon));
-  CHECK(claim(claims, "T2").predicted == "tau(6) = N (N - 1) = 6 with N = 3");
-  CHECK(claim(claims, "T2").found == "6 configurations reached by moves");
-  CHECK(claim(claims, "N2").found == "d1 + d2 even, a v2");
-  const Example hexagon{theory::kHexagon, sides({5, 5, 5, 5, 5, 5})};
-  CHECK(claim(region_claims(explored(hexagon)), "T3").predicted == "tau(5) = 3 N^2 = 12 with N = 2");
-  const Example quad{theory::kQuad, sides({6, 5, 5, 8})};
-  CHECK(claim(region_claims(explored(quad)), "T4").predicted == "K = 4 x 3 = 12");
-
   // A configuration and its moves are missing.
   enumerate::Exploration less = explored(digon);
   less.nodes.erase(less.nodes.begin());
@@ -208,30 +213,31 @@ TEST_CASE("the explorer's claims hold, and fail on false facts", "[explorer]") {
     --move.from;
     --move.to;
   }
-  CHECK(failing(region_claims(less)) == Ids{"T2", "T2", "T11"});
+  CHECK(failing(explorer_claims(less)).count("T2") == 1);
+  CHECK(failing(explorer_claims(less)).count("M1") == 1);
   // A move and its inverse are refused, so the graph lacks an edge.
   enumerate::Exploration refused = explored(digon);
   for (auto& move : refused.moves) {
     if ((move.from == 0 && move.to == 3) || (move.from == 3 && move.to == 0)) move.to = -1;
   }
-  CHECK(failing(region_claims(refused)).count("T2") == 1);
-  // All moves are refused.
+  CHECK(failing(explorer_claims(refused)).count("T2") == 1);
+  // All moves are refused. Every configuration is there, since each was a start, but none leads to another.
   enumerate::Exploration none = explored(digon);
   none.moves.clear();
-  CHECK(failing(region_claims(none)) == Ids{"M1", "T2"});
-  // A move that changes nothing, one that cannot be undone, one that makes a quad too many.
+  CHECK(failing(explorer_claims(none)).count("M1") == 1);
+  CHECK(failing(explorer_claims(none)).count("T2") == 1);
+  // A move that cannot be undone, and one that makes a quad too many.
   enumerate::Exploration lame = explored(digon);
-  lame.moves[0].after = lame.moves[0].before;
   lame.moves[1].restored = false;
   ++lame.moves[2].faces_made;
-  CHECK(failing(region_claims(lame)) == Ids{"B3", "P2", "P3"});
+  CHECK(failing(explorer_claims(lame)) == Ids{"P3", "T2"});
   // The meshes are those of another region. A region of odd side has a merged vertex.
   enumerate::Exploration other = explored(digon);
   other.shape = {theory::kDigon, sides({8, 8})};
-  CHECK(failing(region_claims(other)).count("L9") == 1);
+  CHECK(failing(explorer_claims(other)).count("T2") == 1);
   enumerate::Exploration odd = explored({theory::kDigon, sides({5, 5})});
   odd.nodes.push_back(explored(digon).nodes.back());
-  CHECK(failing(region_claims(odd)).count("N2") == 1);
+  CHECK(failing(explorer_claims(odd)).count("T2") == 1);
 }
 
 TEST_CASE("the explorer refuses regions that are too large", "[explorer]") {

@@ -108,12 +108,18 @@ TEST_CASE("the examples of the help texts work as printed", "[programs]") {
   CHECK(run > (tests::kSanitized ? 10 : 30));
 }
 
-TEST_CASE("an option of another command is refused", "[programs]") {
+TEST_CASE("an option that has no effect is refused", "[programs]") {
   CHECK(call("edit", "info a.obj --iterations 3").err ==
         "requad-edit: info: has no use for --iterations; see --help\n");
   CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 --from 1,1").err ==
         "requad-enumerate: graph: has no use for --from; see --help\n");
   CHECK(call("verify", "check proof --digon 3..4").err == "requad-verify: check: has no use for --digon; see --help\n");
+  CHECK(call("verify", "--list --claim T2").err == "requad-verify: --list: has no use for --claim; see --help\n");
+  CHECK(call("verify", "--list --proofs").code == 2);
+  CHECK(call("verify", "--list --quiet --threads 1").code == 0);
+  CHECK(call("verify", "--proofs --claim T2 --digon 3..4").err ==
+        "requad-verify: --proofs: has no use for --digon; see --help\n");
+  CHECK(call("verify", "--proofs --method walk").code == 2);
   CHECK(call("figures", "--pair 3-3").err == "requad-figures: there is no use for --pair; see --help\n");
   CHECK(call("figures", "--explorer --sides 6,6 --pair 3-3 --page").err ==
         "requad-figures: --explorer: has no use for --page; see --help\n");

@@ -52,6 +52,8 @@ const std::string kRun =
 TEST_CASE("JSON gives results back unchanged", "[journal]") {
   CaseResult r = some_result(7);
   r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  r.judgements[0].predicted = "6 configurations";
+  r.judgements[0].found = "5 configurations";
   const CaseResult back = case_result(nlohmann::ordered_json::parse(to_json(r).dump()), 2);
   REQUIRE(back.judgements.size() == 2);
   CHECK(back.judgements[0].row.dump() == r.judgements[0].row.dump());
@@ -59,6 +61,8 @@ TEST_CASE("JSON gives results back unchanged", "[journal]") {
   CHECK(back.judgements[0].violation->what == "what");
   CHECK(back.judgements[0].violation->configuration == "(1,2)");
   CHECK(back.judgements[0].violation->move == "open");
+  CHECK(back.judgements[0].predicted == "6 configurations");
+  CHECK(back.judgements[0].found == "5 configurations");
   CHECK(back.judgements[0].violation->mesh->mesh == tests::grid(3, 2).mesh);
   CHECK(back.judgements[0].violation->mesh->root == tests::grid(3, 2).root);
   CHECK_FALSE(back.judgements[1].applies);

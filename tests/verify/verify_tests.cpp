@@ -32,6 +32,8 @@ void fails(const std::string& id, Kind s, Falsify falsify) {
   const Judgement j = claim(id).judge(s);
   REQUIRE(j.violation.has_value());
   CHECK(!j.violation->what.empty());
+  CHECK(!j.predicted.empty());
+  CHECK(!j.found.empty());
 }
 
 Ranges small_ranges() {
@@ -115,6 +117,75 @@ TEST_CASE("a region is judged by the requested claims that apply to it", "[verif
   CHECK(verdicts[1].holds());
   CHECK(verdicts[1].judgement.row["tau"] == 6);  // N (N - 1) with N = 3
   CHECK(find_claim("T5") == nullptr);
+  // A check that an exception ends is a violation. The label is that of no configuration with these sides.
+  PairStudy other = study_moves(enumerate::explore_all({theory::kDigon, sides({6, 6})}, theory::Apex::with));
+  other.shape = {theory::kDigon, sides({8, 8})};
+  CHECK_THROWS(find_claim("R1")->judge(other));
+  CHECK_FALSE(judge_region(other, {"R1"}).front().holds());
+}
+
+TEST_CASE("each check says what was predicted and what was found", "[verify]") {
+  std::vector<std::string> ids;
+  for (const Claim& c : claims()) ids.push_back(c.id);
+  std::set<std::string> judged;
+  const auto judge = [&](const Study& s) {
+    std::map<std::string, std::pair<std::string, std::string>> said;
+    for (const RegionVerdict& v : judge_region(s, ids)) {
+      INFO(v.claim->id);
+      CHECK(!v.judgement.predicted.empty());
+      CHECK(!v.judgement.found.empty());
+      CHECK(v.judgement.checks > 0);
+      judged.insert(v.claim->id);
+      said[v.claim->id] = {v.judgement.predicted, v.judgement.found};
+    }
+    return said;
+  };
+  // tau and K by hand, as Theorems 7.2 to 7.4 write them.
+  const auto digon = judge(study_of(theory::kDigon, sides({6, 6})));
+  CHECK(digon.at("T2").first == "tau(6) = N (N - 1) = 6 with N = 3, 10 edges with the v2");
+  CHECK(digon.at("T2").second ==
+        "moves: 6 configurations, 10 edges with the v2; search: 6 fillings; walk: 6 configurations, 10 of 10 edges");
+  CHECK(digon.at("P2").second == "20 of 20 moves");
+  CHECK(digon.at("N2").first == "even distances, room to merge into a v2");
+  CHECK(digon.at("N2").second == "even distances, 6 of 6 configurations merge, slides align 6");
+  CHECK(digon.at("M1").second == "6 reached from (1,1), and 6 of 6 fillings that search finds");
+  const auto hexagon = judge(study_of(theory::kHexagon, sides({5, 5, 5, 5, 5, 5})));
+  CHECK(hexagon.at("T3").first == "tau(5) = 3 N^2 = 12 with N = 2, 18 edges");
+  CHECK(hexagon.at("L9").first == "6 sides, as G = -2");
+  const auto other = judge(study_of(theory::kDigon, sides({5, 9})));
+  CHECK(other.at("T2").first == "exactly 4, at most tau(9) = N^2 = 16 with N = 4, 6 edges");
+  CHECK(judge(study_of(theory::kQuad, sides({6, 5, 5, 8}))).at("T4").first == "K = 4 x 3 = 12, 17 edges");
+  judge(study_of(theory::kQuad, sides({5, 4, 4, 5})));
+  for (const int valence : {2, 3, 4, 5, 6}) judge(study(VertexCase{theory::IntegerVector::Constant(valence, 6)}, kAll));
+  judge(study(TripleCase{{3, 3, 5}, sides({4, 4, 4})}, kAll));
+  CHECK(judged.size() == claims().size());
+}
+
+TEST_CASE("a violation is reported with where it is and with the region's numbers", "[verify]") {
+  PairStudy s = study_of(theory::kDigon, sides({6, 6}));
+  const auto made = std::find_if(s.found.moves.begin(), s.found.moves.end(), [](const auto& m) { return m.to >= 0; });
+  ++made->faces_made;
+  const RegionVerdict verdict = judge_region(s, {"P3"}).front();
+  CHECK(verdict.judgement.found == "19 of 20 moves");
+  const std::string where = described(*verdict.judgement.violation);
+  CHECK(where == "configuration (1,1), move " + std::string(mesh::name(made->move.step)) +
+                     ": the reported faces are not those by which the mesh grew");
+
+  CampaignResult campaign;
+  ClaimResult& c = campaign.claims.emplace_back();
+  c.claim = verdict.claim;
+  c.instances = 1;
+  c.violation = verdict.judgement.violation;
+  c.violating_region = PairCase{s.shape};
+  c.predicted = verdict.judgement.predicted;
+  c.found = verdict.judgement.found;
+  const auto json = report_json(campaign, small_ranges())["claims"][0]["counterexample"];
+  CHECK(json["found"] == "19 of 20 moves");
+  CHECK(json["predicted"] == verdict.judgement.predicted);
+  const std::string text = report_text(campaign, small_ranges());
+  CHECK(text.find("P3 fails: 3-3 region with sides 6 6: " + where + "\n  predicted: " + c.predicted +
+                  "\n  found: 19 of 20 moves\n") != std::string::npos);
+  CHECK(report_html(campaign, small_ranges()).find("<br>Found: 19 of 20 moves</p>") != std::string::npos);
 }
 
 // A check that cannot fail is worse than none. So this test falsifies the facts that each check reads, one by one.
@@ -197,6 +268,9 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     x.found.nodes[1].reading.frames = x.found.nodes[0].reading.frames;
   });
   fails("M1", hexagon, lose_last_node);
+  // Several starts: every configuration is there, but no moves join them.
+  const auto forget_moves = [](PairStudy& x) { x.found.moves.clear(); };
+  fails("M1", study_moves(enumerate::explore_all({theory::kDigon, sides({6, 6})}, theory::Apex::with)), forget_moves);
   fails("M1", digon, [](PairStudy& x) { x.searched->push_back(mesh::signature(tests::grid(3, 3))); });
   fails("R1", quad, [](PairStudy& x) { x.found.nodes[0].signature += "0"; });
   fails("F1", digon, [](PairStudy& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });

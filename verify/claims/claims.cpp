@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "mesh/program/errors.hpp"
 #include "verify/claims/judging.hpp"
 
 namespace requad::verify {
@@ -33,6 +34,17 @@ Violation at_region(const VertexStudy& s, std::string what) {
   return v;
 }
 
+std::string described(const Violation& violation) {
+  std::string at;
+  if (!violation.configuration.empty()) at += "configuration " + violation.configuration;
+  if (!violation.move.empty()) at += (at.empty() ? "" : ", ") + ("move " + violation.move);
+  return (at.empty() ? "" : at + ": ") + violation.what;
+}
+
+std::string counted(std::int64_t number, const std::string& thing) {
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 namespace {
 
 template <class Kind>
@@ -48,7 +60,17 @@ Judgement judged(Judgement (*check)(const Kind&), const Study& study) {
 }  // namespace
 
 Judgement Claim::judge(const Study& study) const {
+  if (families.count(family_of(study)) == 0) return not_applicable();
   return std::visit([&study](const auto known) { return judged(known, study); }, check);
+}
+
+Judgement Claim::judge_safely(const Study& study) const {
+  try {
+    return judge(study);
+  } catch (const std::exception& error) {
+    if (program::is_exhaustion(error)) throw;
+    return broken_off(error);
+  }
 }
 
 const Claim* find_claim(const std::string& id) {
@@ -60,9 +82,7 @@ std::vector<RegionVerdict> judge_region(const Study& study, const std::vector<st
   std::vector<RegionVerdict> verdicts;
   for (const std::string& id : ids) {
     const Claim* const claim = find_claim(id);
-    const bool concerns = claim->families.count(family_of(study)) > 0;
-    if (Judgement j = concerns ? claim->judge(study) : not_applicable(); j.applies)
-      verdicts.push_back({claim, std::move(j)});
+    if (Judgement j = claim->judge_safely(study); j.applies) verdicts.push_back({claim, std::move(j)});
   }
   return verdicts;
 }
@@ -77,8 +97,7 @@ const std::vector<Claim>& claims() {
   constexpr Method kWalk = Method::walk;
   constexpr const char* kTheoremCompares =
       "closed form, parameter set, configurations and graph found by moves, with labels, fillings found by search, "
-      "configurations "
-      "and edges walked on one mesh, by separatrix vectors";
+      "configurations and edges walked on one mesh, by separatrix vectors";
   static const std::vector<Claim> kClaims{
       {"B1",
        "section 2",
@@ -158,8 +177,7 @@ const std::vector<Claim>& claims() {
        "section 6",
        "The transported pair may take any path, so a sharp feature stays untouched.",
        "adjacent pairs transported in all directions, with a feature on an edge that the direct path removes: the "
-       "feature, the "
-       "configurations they make, those that moves reach",
+       "feature, the configurations they make, those that moves reach",
        kPairs,
        {kMoves},
        judge_detour},
@@ -261,8 +279,8 @@ const std::vector<Claim>& claims() {
        judge_no_cancelling},
       {"N2",
        "sections 1, 8",
-       "In a regular region a 3-3 or 5-5 pair merges iff its graph distance is even, and it can always be aligned. (In "
-       "a non-regular hexagon it merges iff there is room for the merged vertex.)",
+       "In a regular region a 3-3 or 5-5 pair merges iff its graph distance is even, and it can always be aligned. "
+       "(In a non-regular hexagon it merges iff there is room for the merged vertex.)",
        "graph distance on the mesh, what moves reach",
        kEqualPairs,
        {kMoves},

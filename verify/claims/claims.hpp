@@ -23,10 +23,14 @@ struct Violation {
   std::string move;                  // step, "" if no move is at fault
   std::optional<mesh::Region> mesh;  // to be written as OBJ
 };
+// One line: "configuration (1,1), move open: what was expected, what was found".
+std::string described(const Violation& violation);
 
 struct Judgement {
   bool applies = true;         // false: the claim says nothing about this region
   std::int64_t checks = 0;     // number of comparisons
+  std::string predicted;       // for this region, in a few words: "K = 4 x 3 = 12"
+  std::string found;           // what was found there, or of how many things it is true: "20 of 20 moves"
   nlohmann::ordered_json row;  // a table row, or null where only totals are reported
   std::optional<Violation> violation;
 };
@@ -45,8 +49,10 @@ struct Claim {
   std::set<Method> methods;   // the methods that the check can use; at least one must be asked for
   Check check;
 
-  // Does not apply to a study of another kind than the check's.
+  // Does not apply to a study of another kind than the check's, or of another family than the claim's.
   Judgement judge(const Study& study) const;
+  // The same, but an exception from the check counts as a violation. Lets pass only that memory ran out.
+  Judgement judge_safely(const Study& study) const;
 };
 
 // In the ledger's order.
@@ -54,15 +60,15 @@ const std::vector<Claim>& claims();
 // The claim with this id; null if there is none.
 const Claim* find_claim(const std::string& id);
 
-// The verdict of a claim for one region. Judgement::row has the numbers that were compared.
+// The verdict of a claim for one region.
 struct RegionVerdict {
   const Claim* claim = nullptr;
   Judgement judgement;
 
   bool holds() const { return !judgement.violation; }
 };
-// Judges a region by these claims. Leaves out the claims that say nothing about it. Precondition: every id is that of a
-// claim.
+// Judges a region by these claims, safely. Leaves out the claims that say nothing about it. Precondition: every id is
+// that of a claim.
 std::vector<RegionVerdict> judge_region(const Study& study, const std::vector<std::string>& ids);
 
 }  // namespace requad::verify

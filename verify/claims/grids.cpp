@@ -27,44 +27,14 @@ std::map<std::pair<int, int>, int> edges_of(const theory::ConfigurationGraph& gr
   return result;
 }
 
-Judgement judge_connected(const PairStudy& s) {
-  if (s.found.nodes.empty()) return not_applicable();
-  Judgement j;
-  Requirements required(j);
-  std::set<int> reached(s.predicted_of.begin(), s.predicted_of.end());
-  for (std::size_t i = 0; i < s.map.nodes.size(); ++i) {
-    const Configuration& c = s.map.nodes[i].configuration;
-    if (c.merged()) continue;
-    required.that(
-        reached.count(static_cast<int>(i)) > 0,
-        {"moves do not reach this configuration from " + theory::label(s.shape.type(), s.map.nodes[0].configuration),
-         theory::label(s.shape.type(), c), "", enumerate::glue_region(s.shape.type(), c)});
-  }
-  if (s.searched) {
-    // Moves reach every filling that the search finds.
-    std::set<std::string> signatures;
-    for (const FoundNode& node : s.found.nodes) signatures.insert(node.signature);
-    for (const std::string& text : *s.searched) {
-      required.that(signatures.count(text) > 0,
-                    {"moves do not reach a filling that search finds", "", "", mesh::from_signature(text)});
-    }
-  }
-  return j;
-}
-
-Judgement judge_realisation(const PairStudy& s) {
-  if (s.found.nodes.empty()) return not_applicable();
-  const Configuration start = enumerate::simplest_configuration(s.shape);
-  // Distances from the start in the found graph.
+std::vector<int> distances_from(const PairStudy& s, std::size_t start) {
   std::vector<std::vector<int>> next(s.found.nodes.size());
   for (const FoundMove& move : s.found.moves) {
     if (move.to >= 0) next[static_cast<std::size_t>(move.from)].push_back(move.to);
   }
   std::vector<int> distance(s.found.nodes.size(), -1);
-  std::deque<std::size_t> queue;
-  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
-    if (s.found.nodes[i].reading.configuration == start) queue.push_back(i), distance[i] = 0;
-  }
+  std::deque<std::size_t> queue{start};
+  distance[start] = 0;
   while (!queue.empty()) {
     const std::size_t i = queue.front();
     queue.pop_front();
@@ -74,16 +44,69 @@ Judgement judge_realisation(const PairStudy& s) {
       queue.push_back(static_cast<std::size_t>(to));
     }
   }
-  return for_each_node(s, [&](const FoundNode& node) -> std::string {
-    const enumerate::Realisation made = enumerate::realise(s.shape, start, node.reading.configuration);
-    if (mesh::signature(made.region) != node.signature)
-      return "the path of moves from " + theory::label(s.shape.type(), start) + " makes another mesh";
-    const int shortest = distance[static_cast<std::size_t>(&node - s.found.nodes.data())];
-    if (static_cast<int>(made.moves.size()) != shortest) {
-      return "the path has " + std::to_string(made.moves.size()) + " moves, a shortest one " + std::to_string(shortest);
+  return distance;
+}
+
+// Moves lead from the first found configuration to every one that theory predicts and to every filling that the search
+// finds. An exploration may have had several starts, so a configuration that was found need not be reached.
+Judgement judge_connected(const PairStudy& s) {
+  if (s.found.nodes.empty()) return not_applicable();
+  Judgement j;
+  Requirements required(j);
+  const std::string start = theory::label(s.shape.type(), s.found.nodes[0].reading.configuration);
+  const std::vector<int> distance = distances_from(s, 0);
+  std::set<int> reached;
+  std::set<std::string> signatures;
+  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
+    if (distance[i] < 0) continue;
+    reached.insert(s.predicted_of[i]);
+    signatures.insert(s.found.nodes[i].signature);
+  }
+  int pairs_reached = 0;
+  for (std::size_t i = 0; i < s.map.nodes.size(); ++i) {
+    const Configuration& c = s.map.nodes[i].configuration;
+    if (c.merged()) continue;
+    const bool is_reached = reached.count(static_cast<int>(i)) > 0;
+    pairs_reached += is_reached ? 1 : 0;
+    required.that(is_reached, {"moves do not reach this configuration from " + start, theory::label(s.shape.type(), c),
+                               "", enumerate::glue_region(s.shape.type(), c)});
+  }
+  j.predicted = counted(s.pairs_predicted(), "configuration") + " connected by moves";
+  j.found = std::to_string(pairs_reached) + " reached from " + start;
+  if (s.searched) {
+    int fillings_reached = 0;
+    for (const std::string& text : *s.searched) {
+      const bool is_reached = signatures.count(text) > 0;
+      fillings_reached += is_reached ? 1 : 0;
+      required.that(is_reached, {"moves do not reach a filling that search finds", "", "", mesh::from_signature(text)});
     }
-    return "";
-  });
+    j.found += ", and " + std::to_string(fillings_reached) + " of " +
+               counted(static_cast<std::int64_t>(s.searched->size()), "filling") + " that search finds";
+  }
+  return j;
+}
+
+Judgement judge_realisation(const PairStudy& s) {
+  if (s.found.nodes.empty()) return not_applicable();
+  const Configuration start = enumerate::simplest_configuration(s.shape);
+  const std::string start_label = theory::label(s.shape.type(), start);
+  const auto first = std::find_if(s.found.nodes.begin(), s.found.nodes.end(),
+                                  [&](const FoundNode& node) { return node.reading.configuration == start; });
+  const std::vector<int> distance = first == s.found.nodes.end()
+                                        ? std::vector<int>(s.found.nodes.size(), -1)
+                                        : distances_from(s, static_cast<std::size_t>(first - s.found.nodes.begin()));
+  return for_each_node(
+      s, "made by a shortest path of moves from " + start_label, [&](const FoundNode& node) -> std::string {
+        const enumerate::Realisation made = enumerate::realise(s.shape, start, node.reading.configuration);
+        if (mesh::signature(made.region) != node.signature)
+          return "the path of moves from " + start_label + " makes another mesh";
+        const int shortest = distance[static_cast<std::size_t>(&node - s.found.nodes.data())];
+        if (static_cast<int>(made.moves.size()) != shortest) {
+          return "the path has " + std::to_string(made.moves.size()) + " moves, a shortest one " +
+                 std::to_string(shortest);
+        }
+        return "";
+      });
 }
 
 // All nodes of the found grid have the parity of L, and its dual is the grid of the next smaller region. The order of
@@ -127,7 +150,15 @@ Judgement judge_dual(const PairStudy& s) {
   std::iota(all.begin(), all.end(), 0);
   std::vector<int> sorted = names;
   std::sort(sorted.begin(), sorted.end());
-  const bool same = sorted == all && dual_edges == edges_of(theory::configuration_graph(smaller), all);
+  const theory::ConfigurationGraph smaller_graph = theory::configuration_graph(smaller);
+  const bool same = sorted == all && dual_edges == edges_of(smaller_graph, all);
+  const auto grid = [](std::size_t nodes, std::size_t edges) {
+    return counted(static_cast<std::int64_t>(nodes), "node") + " and " +
+           counted(static_cast<std::int64_t>(edges), "edge");
+  };
+  j.predicted = "a dual with the " + grid(smaller.nodes.size(), num_edges(smaller_graph)) + " of the grid of side " +
+                std::to_string(length - 1);
+  j.found = "a dual with " + grid(dual.faces.size(), dual.edges.size());
   j.row = {{"sides", side_list(s.shape.sides())},
            {"faces_of_grid", dual.faces.size()},
            {"nodes_of_smaller_grid", smaller.nodes.size()},

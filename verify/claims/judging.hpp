@@ -1,6 +1,7 @@
-// What the checks of claims.hpp share: violations at a node, a move or a region, and loops over both.
+// What the checks of claims.hpp share: violations at a node, a move or a region, and loops over things of one kind.
 #pragma once
 
+#include <exception>
 #include <map>
 #include <string>
 #include <utility>
@@ -22,6 +23,13 @@ inline Judgement not_applicable() {
   return j;
 }
 
+// The judgement where an exception kept a check from ending.
+inline Judgement broken_off(const std::exception& error) {
+  Judgement j;
+  j.violation = Violation{error.what(), "", "", std::nullopt};
+  return j;
+}
+
 inline std::vector<theory::Integer> side_list(const theory::IntegerVector& sides) {
   return {sides.begin(), sides.end()};
 }
@@ -32,32 +40,50 @@ Violation at_move(const PairStudy& s, const enumerate::FoundMove& move, std::str
 Violation at_region(const PairStudy& s, std::string what);
 Violation at_region(const VertexStudy& s, std::string what);
 
-// Judges every found configuration. `problem` returns what is wrong, or "". Does not apply where nothing was found.
-template <class Problem>
-Judgement for_each_node(const PairStudy& s, Problem&& problem) {
+// "1 move", "20 moves".
+std::string counted(std::int64_t number, const std::string& thing);
+
+// Judges things of one kind. `predicted` is true of each of them; the judgement says of how many it was found to be.
+// problem(x) returns what is wrong with x, or "". violation(x, what) places that. Does not apply where there is nothing
+// of the kind.
+template <class Things, class Problem, class Place>
+Judgement for_each_of(const Things& things, const std::string& thing, std::string predicted, Problem&& problem,
+                      Place&& violation) {
   Judgement j;
-  for (std::size_t i = 0; i < s.found.nodes.size() && !j.violation; ++i) {
+  std::int64_t true_of = 0;
+  for (const auto& x : things) {
     ++j.checks;
-    if (std::string what = problem(s.found.nodes[i]); !what.empty()) j.violation = at_node(s, i, std::move(what));
+    std::string what = problem(x);
+    if (what.empty()) ++true_of;
+    if (!what.empty() && !j.violation) j.violation = violation(x, std::move(what));
   }
   j.applies = j.checks > 0;
+  j.predicted = std::move(predicted);
+  j.found = std::to_string(true_of) + " of " + counted(j.checks, thing);
   return j;
 }
 
-// Judges every move that was made. Does not apply where no move was made.
+// Judges every found configuration.
 template <class Problem>
-Judgement for_each_move(const PairStudy& s, Problem&& problem) {
-  Judgement j;
+Judgement for_each_node(const PairStudy& s, std::string predicted, Problem&& problem) {
+  const std::vector<enumerate::FoundNode>& nodes = s.found.nodes;
+  return for_each_of(nodes, "configuration", std::move(predicted), problem,
+                     [&](const enumerate::FoundNode& node, std::string what) {
+                       return at_node(s, static_cast<std::size_t>(&node - nodes.data()), std::move(what));
+                     });
+}
+
+// Judges every move that was made.
+template <class Problem>
+Judgement for_each_move(const PairStudy& s, std::string predicted, Problem&& problem) {
+  using Move = const enumerate::FoundMove*;
+  std::vector<Move> made;
   for (const enumerate::FoundMove& move : s.found.moves) {
-    if (move.to < 0) continue;
-    ++j.checks;
-    if (std::string what = problem(move); !what.empty()) {
-      j.violation = at_move(s, move, std::move(what));
-      break;
-    }
+    if (move.to >= 0) made.push_back(&move);
   }
-  j.applies = j.checks > 0;
-  return j;
+  return for_each_of(
+      made, "move", std::move(predicted), [&](Move move) { return problem(*move); },
+      [&s](Move move, std::string what) { return at_move(s, *move, std::move(what)); });
 }
 
 // Counts requirements and keeps the first violation.
@@ -73,13 +99,17 @@ class Requirements {
   Judgement& j_;
 };
 
+// For each found configuration: the number of moves on a shortest path of found moves from `start` to it, or -1 if no
+// path leads there. O(nodes + moves).
+std::vector<int> distances_from(const PairStudy& s, std::size_t start);
+
 // The edges of a graph as a multiset of pairs of names, the lesser name first. names[i] is the name of vertex i.
 std::map<std::pair<int, int>, int> edges_of(const theory::ConfigurationGraph& graph, const std::vector<int>& names);
 
 // The checks, grouped by source.
 // theorems.cpp
-Judgement judge_theorem_1(const VertexStudy& s);
-Judgement judge_theorem(const PairStudy& s);  // T2, T3, T4
+Judgement judge_theorem_1(const VertexStudy& s);  // T1
+Judgement judge_theorem(const PairStudy& s);      // T2, T3, T4
 // grids.cpp
 Judgement judge_connected(const PairStudy& s);    // M1
 Judgement judge_realisation(const PairStudy& s);  // R1
@@ -97,10 +127,10 @@ Judgement judge_detour(const PairStudy& s);            // P4
 Judgement judge_three_vertices(const TripleStudy& s);  // N3
 // regions.cpp
 Judgement judge_gauss_bonnet(const PairStudy& s);  // G1
-Judgement judge_lemma_8(const PairStudy& s);
-Judgement judge_lemma_9(const PairStudy& s);
-Judgement judge_growth(const PairStudy& s);  // L10
-Judgement judge_theorem_11(const PairStudy& s);
+Judgement judge_lemma_8(const PairStudy& s);       // L8
+Judgement judge_lemma_9(const PairStudy& s);       // L9
+Judgement judge_growth(const PairStudy& s);        // L10
+Judgement judge_theorem_11(const PairStudy& s);    // T11
 // operations.cpp
 Judgement judge_single_vertex_operations(const VertexStudy& s);  // B1
 Judgement judge_valence_changes(const Study& s);                 // B2

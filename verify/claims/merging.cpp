@@ -1,5 +1,6 @@
 // Claims about what a pair can become: a 3-5 pair cannot be cancelled (N1); an equal pair merges or is aligned (N2).
 #include <algorithm>
+#include <set>
 
 #include "enumerate/search/search.hpp"
 #include "mesh/topology/distances.hpp"
@@ -14,7 +15,7 @@ using theory::Configuration;
 // Cancelling would leave a filling of the same boundary without irregular vertices. The search finds no such filling,
 // and the sides of the meshes that moves made are never those of a regular grid.
 Judgement judge_no_cancelling(const PairStudy& s) {
-  Judgement j = for_each_node(s, [](const FoundNode& node) -> std::string {
+  Judgement j = for_each_node(s, "sides that fit no regular grid", [](const FoundNode& node) -> std::string {
     if (node.reading.irregular.size() != 2) return "a move lost the pair";
     const std::vector<int> e = mesh::side_lengths(node.region);
     return e[0] == e[2] && e[1] == e[3] ? "opposite sides are equal: a regular grid fits" : "";
@@ -25,6 +26,7 @@ Judgement judge_no_cancelling(const PairStudy& s) {
     const auto regular =
         enumerate::search(enumerate::search_problem({s.shape.sides().begin(), s.shape.sides().end()}, {}), limits, {});
     Requirements(j).that(regular.count == 0, at_region(s, "search finds a filling without irregular vertices"));
+    j.found += ", and " + counted(regular.count, "filling") + " without irregular vertices by search";
     j.applies = true;
   }
   return j;
@@ -66,16 +68,23 @@ Judgement judge_merging(const PairStudy& s) {
   const std::vector<bool> can_align = reaching(by_slides, aligned);
   const bool room = std::any_of(s.map.nodes.begin(), s.map.nodes.end(),
                                 [](const theory::MapNode& node) { return node.configuration.merged(); });
+  const bool by_distance = is_digon(s) || is_regular(s);  // the distance alone decides
+  int pairs = 0, merge = 0, align = 0;
+  std::set<int> parities;
   for (std::size_t i = 0; i < n; ++i) {
     const FoundNode& node = s.found.nodes[i];
     if (node.reading.configuration.merged()) continue;
+    ++pairs;
+    merge += can_merge[i] ? 1 : 0;
+    align += can_align[i] ? 1 : 0;
     const int distance = mesh::graph_distance(node.region.mesh, node.reading.irregular[0], node.reading.irregular[1]);
+    parities.insert(distance % 2);
     required.that(distance == node.reading.configuration.d1() + node.reading.configuration.d2(),
                   at_node(s, i, "the graph distance " + std::to_string(distance) + " is not d1 + d2"));
     required.that(
         can_merge[i] == room,
         at_node(s, i, can_merge[i] ? "merges where there is no room" : "does not merge though there is room"));
-    if (is_digon(s) || is_regular(s)) {
+    if (by_distance) {
       required.that(can_merge[i] == (distance % 2 == 0),
                     at_node(s, i,
                             std::string(can_merge[i] ? "merges" : "does not merge") + " at distance " +
@@ -83,6 +92,14 @@ Judgement judge_merging(const PairStudy& s) {
     }
     if (is_regular(s)) required.that(can_align[i], at_node(s, i, "cannot be aligned by slides"));
   }
+  const std::string vertex = "v" + std::to_string(s.shape.type().side_count());
+  j.predicted = std::string(by_distance ? room ? "even distances, " : "odd distances, " : "") +
+                (room ? "room to merge into a " : "no room to merge into a ") + vertex;
+  j.found = std::string(parities.size() > 1       ? "distances of both parities, "
+                        : parities == std::set{0} ? "even distances, "
+                                                  : "odd distances, ") +
+            std::to_string(merge) + " of " + counted(pairs, "configuration") + " merge, slides align " +
+            std::to_string(align);
   return j;
 }
 

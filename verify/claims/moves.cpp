@@ -51,8 +51,8 @@ std::string check_four_directions(const PairStudy& s) {
 }
 
 template <class Problem>
-Judgement judge_with_directions(const PairStudy& s, Problem&& problem) {
-  Judgement j = for_each_move(s, problem);
+Judgement judge_with_directions(const PairStudy& s, std::string predicted, Problem&& problem) {
+  Judgement j = for_each_move(s, std::move(predicted), problem);
   if (!j.applies) return j;
   if (const std::string what = check_four_directions(s); !what.empty() && !j.violation)
     j.violation = at_region(s, what);
@@ -62,7 +62,7 @@ Judgement judge_with_directions(const PairStudy& s, Problem&& problem) {
 }  // namespace
 
 Judgement judge_distance_kept(const PairStudy& s) {
-  return judge_with_directions(s, [&s](const FoundMove& move) -> std::string {
+  return judge_with_directions(s, "(d1,d2) stays", [&s](const FoundMove& move) -> std::string {
     const Configuration& from = source(s, move).reading.configuration;
     const Configuration& to = destination(s, move).reading.configuration;
     return from.d1() == to.d1() && from.d2() == to.d2() ? "" : "(d1,d2) changes from " + text(from) + " to " + text(to);
@@ -70,7 +70,7 @@ Judgement judge_distance_kept(const PairStudy& s) {
 }
 
 Judgement judge_distance_changed(const PairStudy& s) {
-  return judge_with_directions(s, [&s](const FoundMove& move) -> std::string {
+  return judge_with_directions(s, "(d1,d2) changes by (+-1,+-1)", [&s](const FoundMove& move) -> std::string {
     const auto by_one = [](Integer a, Integer b) { return a - b == 1 || b - a == 1; };
     for (const Configuration& from : labellings(source(s, move))) {
       for (const Configuration& to : labellings(destination(s, move))) {
@@ -89,7 +89,11 @@ Judgement judge_distance_changed(const PairStudy& s) {
 // work against each other, |d1 - d2| remain (Law irregular-11 of mesh/irregular/pair_moves.hpp).
 Judgement judge_faces(const PairStudy& s) {
   const theory::PairSystem& system = s.shape.system();
-  return for_each_move(s, [&](const FoundMove& move) -> std::string {
+  const Integer c = is_quad(s) ? 0 : is_digon(s) ? -1 : 1;
+  const auto plus = [](Integer x) { return x == 0 ? "" : x > 0 ? " + 1" : " - 1"; };
+  const std::string predicted = std::string("the quads grow by d2 - d1") + plus(c) + " or d1 - d2" + plus(c) +
+                                " (slides), d1 + d2" + plus(c) + " (open), -(d1 + d2" + plus(-c) + ") (close)";
+  return for_each_move(s, predicted, [&](const FoundMove& move) -> std::string {
     const FoundNode& from = source(s, move);
     const FoundNode& to = destination(s, move);
     for (const FoundNode* node : {&from, &to}) {
@@ -100,7 +104,6 @@ Judgement judge_faces(const PairStudy& s) {
     if (move.faces_made - move.faces_deleted != change)
       return "the reported faces are not those by which the mesh grew";
     if (move.faces_made > 0 && move.faces_deleted > 0) return "the move both makes and deletes faces";
-    const Integer c = is_quad(s) ? 0 : is_digon(s) ? -1 : 1;
     const Integer d1 = move.move.frame.d1;
     const Integer d2 = move.move.frame.d2;
     Integer law = 0;
@@ -119,35 +122,37 @@ Judgement judge_faces(const PairStudy& s) {
 // A move stays within the smallest convex region that holds both its ends. Removes every strip that neither end needs,
 // and makes the same move there by the same number of operations. (Moves never touch the boundary of their region.)
 Judgement judge_locality(const PairStudy& s) {
-  return for_each_move(s, [&s](const FoundMove& move) -> std::string {
-    if (!move.before || !move.after) return "the move's frame has no labelling";
-    // The merged configuration is labelled in quadrant 1, whichever quadrant a move reaches it from or leads to.
-    Configuration from = *move.before;
-    Configuration to = *move.after;
-    const Configuration& pair = from.merged() ? to : from;
-    for (Configuration* c : {&from, &to}) {
-      if (!c->merged()) continue;
-      const theory::IntegerVector e = c->parameters.e;
-      for (Eigen::Index i = 0; i < e.size(); ++i) c->parameters.e(i) = e((i + pair.p - c->p + e.size()) % e.size());
-      c->p = pair.p;
-    }
-    for (Eigen::Index i = 0; i < from.parameters.e.size(); ++i) {
-      const Integer spare = std::min(from.parameters.e(i), to.parameters.e(i)) - 1;
-      from.parameters.e(i) -= spare;
-      to.parameters.e(i) -= spare;
-    }
-    const mesh::Region smallest = enumerate::glue_region(s.shape.type(), from);
-    const std::string target = mesh::signature(enumerate::glue_region(s.shape.type(), to));
-    for (const mesh::PairMove& candidate : enumerate::moves_of(smallest, enumerate::read(smallest, s.shape.type()))) {
-      mesh::Region work = smallest;
-      const mesh::MoveReport report = mesh::move_pair(work.mesh, candidate);
-      if (report.refusal == mesh::Refusal::none && candidate.step == move.move.step &&
-          mesh::signature(work) == target && static_cast<int>(report.operations.size()) == move.operations) {
-        return "";
-      }
-    }
-    return "the move is not made in the smallest region that holds both ends";
-  });
+  return for_each_move(
+      s, "made in the smallest region that holds both ends", [&s](const FoundMove& move) -> std::string {
+        if (!move.before || !move.after) return "the move's frame has no labelling";
+        // The merged configuration is labelled in quadrant 1, whichever quadrant a move reaches it from or leads to.
+        Configuration from = *move.before;
+        Configuration to = *move.after;
+        const Configuration& pair = from.merged() ? to : from;
+        for (Configuration* c : {&from, &to}) {
+          if (!c->merged()) continue;
+          const theory::IntegerVector e = c->parameters.e;
+          for (Eigen::Index i = 0; i < e.size(); ++i) c->parameters.e(i) = e((i + pair.p - c->p + e.size()) % e.size());
+          c->p = pair.p;
+        }
+        for (Eigen::Index i = 0; i < from.parameters.e.size(); ++i) {
+          const Integer spare = std::min(from.parameters.e(i), to.parameters.e(i)) - 1;
+          from.parameters.e(i) -= spare;
+          to.parameters.e(i) -= spare;
+        }
+        const mesh::Region smallest = enumerate::glue_region(s.shape.type(), from);
+        const std::string target = mesh::signature(enumerate::glue_region(s.shape.type(), to));
+        for (const mesh::PairMove& candidate :
+             enumerate::moves_of(smallest, enumerate::read(smallest, s.shape.type()))) {
+          mesh::Region work = smallest;
+          const mesh::MoveReport report = mesh::move_pair(work.mesh, candidate);
+          if (report.refusal == mesh::Refusal::none && candidate.step == move.move.step &&
+              mesh::signature(work) == target && static_cast<int>(report.operations.size()) == move.operations) {
+            return "";
+          }
+        }
+        return "the move is not made in the smallest region that holds both ends";
+      });
 }
 
 }  // namespace requad::verify

@@ -92,9 +92,9 @@ const Region* neighbourhood(const VertexStudy& s) {
   return nullptr;
 }
 
-Judgement violated(const Region& region, std::string what, Judgement j) {
-  j.violation = Violation{std::move(what), "", "", region};
-  return j;
+// Places a violation in a region, for for_each_of().
+auto placed_in(const Region& region) {
+  return [&region](const auto&, std::string what) { return Violation{std::move(what), "", "", region}; };
 }
 
 // Meshes to try single operations on: the neighbourhood, or the first configuration of a small region.
@@ -128,133 +128,142 @@ bool reducible_by_splits(const QuadMesh& m, int now) {
   });
 }
 
+// What is wrong with the valences after an operation, compared with those that section 4 gives, or "".
+std::string check_valences(const QuadMesh& m, const BasicOperation& op) {
+  QuadMesh after = m;
+  const mesh::Applied done = mesh::apply(after, op);
+  std::map<VertexId, int> expected;  // valence of every vertex afterwards
+  for (const VertexId v : m.vertices()) expected[v] = m.valence(v);
+  const auto c = mesh::changed_vertices(m, op);
+  if (is_flip(op.kind)) {
+    --expected[c[0]], --expected[c[1]], ++expected[c[2]], ++expected[c[3]];
+  } else if (op.kind == Kind::collapse) {
+    const VertexId keep = m.origin(op.h), gone = m.target(m.next(op.h));
+    expected[keep] += expected[gone] - 2;
+    expected.erase(gone);
+    --expected[m.target(op.h)], --expected[m.origin(m.previous(op.h))];
+  } else {
+    // The edges strictly between the two edges of the path, counted on the mesh before the split.
+    int group = 0;
+    for (HalfEdgeId h = m.ccw(op.h); h != m.twin(op.last); h = m.ccw(h)) ++group;
+    const VertexId made = after.origin(QuadMesh::opposite(done.made));
+    expected[made] = group + 2;
+    expected[c[0]] = m.valence(c[0]) - 2 - group + 2;
+    ++expected[c[1]], ++expected[c[2]];
+  }
+  bool same = static_cast<int>(expected.size()) == after.vertex_count();
+  for (const auto& [v, valence] : expected) same = same && after.is_live(v) && after.valence(v) == valence;
+  return same ? "" : mesh::to_string(op) + " changes other valences than section 4 says";
+}
+
+// Whether one split at an end of a flip's edge, and one collapse, make the mesh that the flip made.
+bool is_split_and_collapse(const Region& region, const std::vector<BasicOperation>& operations,
+                           const BasicOperation& flip, const QuadMesh& flipped) {
+  const QuadMesh& m = region.mesh;
+  const VertexId root = m.origin(region.root);
+  const std::string target = mesh::signature(flipped, flipped.out(root));
+  bool found = false;
+  for (const BasicOperation& first : operations) {
+    if (found || first.kind != Kind::split ||
+        (m.origin(first.h) != m.origin(flip.h) && m.origin(first.h) != m.target(flip.h)))
+      continue;
+    QuadMesh halfway = m;
+    const HalfEdgeId made = mesh::apply(halfway, first).made;
+    for (const VertexId v : halfway.corners(QuadMesh::face(made))) {
+      halfway.for_each_out(v, [&](HalfEdgeId h) {
+        for (const HalfEdgeId corner : {h, QuadMesh::next(h)}) {
+          QuadMesh result = halfway;
+          if (found || mesh::collapse(result, corner) != Refusal::none) continue;
+          found = mesh::signature(result, result.out(root)) == target;
+        }
+      });
+    }
+  }
+  return found;
+}
+
+// What is wrong with an operation's inverse, and with what a flip is made of, or "".
+std::string check_inverse(const Region& region, const std::vector<BasicOperation>& operations,
+                          const BasicOperation& op) {
+  const QuadMesh& m = region.mesh;
+  QuadMesh after = m;
+  const mesh::Applied done = mesh::apply(after, op);
+  // A flip keeps the number of faces, a split adds one, and a collapse removes one. So no sequence of flips and splits
+  // makes a collapse, and no sequence of flips and collapses makes a split.
+  const int faces = op.kind == Kind::split ? 1 : op.kind == Kind::collapse ? -1 : 0;
+  if (after.face_count() - m.face_count() != faces) return mesh::to_string(op) + " makes a wrong number of faces";
+  const Kind inverse = op.kind == Kind::split      ? Kind::collapse
+                       : op.kind == Kind::collapse ? Kind::split
+                       : op.kind == Kind::flip_cw  ? Kind::flip_ccw
+                                                   : Kind::flip_cw;
+  QuadMesh back = after;
+  if (done.inverse.kind != inverse || mesh::apply(back, done.inverse).refusal != Refusal::none || !(back == m))
+    return mesh::to_string(op) + " has no inverse of the other kind";
+  if (is_flip(op.kind) && !is_split_and_collapse(region, operations, op, after))
+    return mesh::to_string(op) + " is no split and collapse";
+  return "";
+}
+
 }  // namespace
 
 Judgement judge_single_vertex_operations(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
   if (region == nullptr || s.valence() == 4) return not_applicable();
-  Judgement j;
   const VertexId v = mesh::irregular_vertices(region->mesh)[0];
-  for (const BasicOperation& op : all_operations(region->mesh)) {
+  std::vector<BasicOperation> at_vertex = all_operations(region->mesh);
+  std::erase_if(at_vertex, [&](const BasicOperation& op) {
     const auto changed = mesh::changed_vertices(region->mesh, op);
-    if (std::find(changed.begin(), changed.end(), v) == changed.end()) continue;
-    ++j.checks;
-    if (performed(region->mesh, op).irregular.size() <= 1)
-      return violated(*region, mesh::to_string(op) + " does not increase the number of irregular vertices", j);
-  }
-  j.applies = j.checks > 0;
-  return j;
+    return std::find(changed.begin(), changed.end(), v) == changed.end();
+  });
+  return for_each_of(
+      at_vertex, "operation", "more than one irregular vertex afterwards",
+      [&](const BasicOperation& op) {
+        return performed(region->mesh, op).irregular.size() > 1
+                   ? ""
+                   : mesh::to_string(op) + " does not increase the number of irregular vertices";
+      },
+      placed_in(*region));
 }
 
 Judgement judge_valence_changes(const Study& s) {
   const Region* region = sample(s);
   if (region == nullptr) return not_applicable();
-  const QuadMesh& m = region->mesh;
-  Judgement j;
-  for (const BasicOperation& op : all_operations(m)) {
-    ++j.checks;
-    QuadMesh after = m;
-    const mesh::Applied done = mesh::apply(after, op);
-    std::map<VertexId, int> expected;  // valence of every vertex afterwards
-    for (const VertexId v : m.vertices()) expected[v] = m.valence(v);
-    const auto c = mesh::changed_vertices(m, op);
-    if (is_flip(op.kind)) {
-      --expected[c[0]], --expected[c[1]], ++expected[c[2]], ++expected[c[3]];
-    } else if (op.kind == Kind::collapse) {
-      const VertexId keep = m.origin(op.h), gone = m.target(m.next(op.h));
-      expected[keep] += expected[gone] - 2;
-      expected.erase(gone);
-      --expected[m.target(op.h)], --expected[m.origin(m.previous(op.h))];
-    } else {
-      // The edges strictly between the two edges of the path, counted on the mesh before the split.
-      int group = 0;
-      for (HalfEdgeId h = m.ccw(op.h); h != m.twin(op.last); h = m.ccw(h)) ++group;
-      const VertexId made = after.origin(QuadMesh::opposite(done.made));
-      expected[made] = group + 2;
-      expected[c[0]] = m.valence(c[0]) - 2 - group + 2;
-      ++expected[c[1]], ++expected[c[2]];
-    }
-    bool same = static_cast<int>(expected.size()) == after.vertex_count();
-    for (const auto& [v, valence] : expected) same = same && after.is_live(v) && after.valence(v) == valence;
-    if (!same) return violated(*region, mesh::to_string(op) + " changes other valences than section 4 says", j);
-  }
-  return j;
+  return for_each_of(
+      all_operations(region->mesh), "operation", "the valences that section 4 gives",
+      [&](const BasicOperation& op) { return check_valences(region->mesh, op); }, placed_in(*region));
 }
 
 Judgement judge_inverses(const Study& s) {
   const Region* region = sample(s);
   if (region == nullptr || region->mesh.face_count() > kLargestNeighbourhood / 2) return not_applicable();
-  const QuadMesh& m = region->mesh;
-  const VertexId root = m.origin(region->root);
-  const std::vector<BasicOperation> operations = all_operations(m);
-  Judgement j;
-  for (const BasicOperation& op : operations) {
-    ++j.checks;
-    QuadMesh after = m;
-    const mesh::Applied done = mesh::apply(after, op);
-    // A flip keeps the number of faces, a split adds one, and a collapse removes one. So no sequence of flips and
-    // splits makes a collapse, and no sequence of flips and collapses makes a split.
-    const int faces = op.kind == Kind::split ? 1 : op.kind == Kind::collapse ? -1 : 0;
-    if (after.face_count() - m.face_count() != faces)
-      return violated(*region, mesh::to_string(op) + " makes a wrong number of faces", j);
-    const Kind inverse = op.kind == Kind::split      ? Kind::collapse
-                         : op.kind == Kind::collapse ? Kind::split
-                         : op.kind == Kind::flip_cw  ? Kind::flip_ccw
-                                                     : Kind::flip_cw;
-    QuadMesh back = after;
-    if (done.inverse.kind != inverse || mesh::apply(back, done.inverse).refusal != Refusal::none || !(back == m)) {
-      return violated(*region, mesh::to_string(op) + " has no inverse of the other kind", j);
-    }
-    if (!is_flip(op.kind)) continue;
-    // One split at an end of the edge and one collapse make the flip.
-    const std::string target = mesh::signature(after, after.out(root));
-    bool found = false;
-    for (const BasicOperation& first : operations) {
-      if (found || first.kind != Kind::split ||
-          (m.origin(first.h) != m.origin(op.h) && m.origin(first.h) != m.target(op.h)))
-        continue;
-      QuadMesh halfway = m;
-      const HalfEdgeId made = mesh::apply(halfway, first).made;
-      for (const VertexId v : halfway.corners(QuadMesh::face(made))) {
-        halfway.for_each_out(v, [&](HalfEdgeId h) {
-          for (const HalfEdgeId corner : {h, QuadMesh::next(h)}) {
-            QuadMesh result = halfway;
-            if (found || mesh::collapse(result, corner) != Refusal::none) continue;
-            found = mesh::signature(result, result.out(root)) == target;
-          }
-        });
-      }
-    }
-    if (!found) return violated(*region, mesh::to_string(op) + " is no split and collapse", j);
-  }
-  return j;
+  const std::vector<BasicOperation> operations = all_operations(region->mesh);
+  return for_each_of(
+      operations, "operation", "an inverse; for a flip a split and a collapse",
+      [&](const BasicOperation& op) { return check_inverse(*region, operations, op); }, placed_in(*region));
 }
 
+// Counts, by kind of operation, the meshes in which one adjacent 3-5 pair is left and nothing else is irregular.
 Judgement judge_adjacent_pair(const PairStudy& s) {
-  Judgement j;
-  for (std::size_t i = 0; is_quad(s) && i < s.found.nodes.size() && !j.violation; ++i) {
-    const auto& node = s.found.nodes[i];
-    const theory::Configuration& c = node.reading.configuration;
-    if (c.d1() + c.d2() != 1 || c.parameters.e.minCoeff() < 2) continue;
-    ++j.checks;
-    // Results that hold one adjacent 3-5 pair and nothing else, by kind, each mesh once.
+  std::vector<std::size_t> adjacent;
+  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
+    const theory::Configuration& c = s.found.nodes[i].reading.configuration;
+    if (c.d1() + c.d2() == 1 && c.parameters.e.minCoeff() >= 2) adjacent.push_back(i);
+  }
+  const auto problem = [&s](std::size_t i) -> std::string {
+    const Region& region = s.found.nodes[i].region;
     std::map<Kind, std::set<std::string>> results;
-    for (const BasicOperation& op : all_operations(node.region.mesh)) {
-      const Result r = performed(node.region.mesh, op);
+    for (const BasicOperation& op : all_operations(region.mesh)) {
+      const Result r = performed(region.mesh, op);
       if (r.valences != std::multiset<int>{3, 5} || !r.mesh.adjacent(r.irregular[0], r.irregular[1])) continue;
-      results[is_flip(op.kind) ? Kind::flip_ccw : op.kind].insert(mesh::signature(r.mesh, node.region.root));
+      results[is_flip(op.kind) ? Kind::flip_ccw : op.kind].insert(mesh::signature(r.mesh, region.root));
     }
     const auto number = [&results](Kind kind) { return results[kind].size(); };
-    if (number(Kind::collapse) != 2 || number(Kind::split) != 2 || number(Kind::flip_ccw) != 2) {
-      j.violation =
-          at_node(s, i,
-                  std::to_string(number(Kind::collapse)) + " collapses, " + std::to_string(number(Kind::split)) +
-                      " splits and " + std::to_string(number(Kind::flip_ccw)) +
-                      " flips move the adjacent pair, not two of each");
-    }
-  }
-  j.applies = j.checks > 0;
-  return j;
+    if (number(Kind::collapse) == 2 && number(Kind::split) == 2 && number(Kind::flip_ccw) == 2) return "";
+    return std::to_string(number(Kind::collapse)) + " collapses, " + std::to_string(number(Kind::split)) +
+           " splits and " + std::to_string(number(Kind::flip_ccw)) + " flips move the adjacent pair, not two of each";
+  };
+  return for_each_of(adjacent, "adjacent pair", "moved by 2 collapses, 2 splits and 2 flips", problem,
+                     [&s](std::size_t i, std::string what) { return at_node(s, i, std::move(what)); });
 }
 
 Judgement judge_vertex_steps(const VertexStudy& s) {
@@ -282,59 +291,60 @@ Judgement judge_vertex_steps(const VertexStudy& s) {
         ++ways[n][is_flip(op.kind)];
     }
   }
-  Judgement j;
-  for (const VertexId n : m.neighbours(v)) {
-    ++j.checks;
-    if (ways[n][true] != 2 || ways[n][false] != 2) {
-      return violated(*region,
-                      "towards one neighbour " + std::to_string(ways[n][false]) +
-                          (valence == 3 ? " collapses and " : " splits and ") + std::to_string(ways[n][true]) +
-                          " flips, not two and two",
-                      j);
-    }
-  }
-  return j;
+  const std::string others = valence == 3 ? " collapses" : " splits";
+  return for_each_of(
+      m.neighbours(v), "neighbour", "reached by 2" + others + " and 2 flips",
+      [&](VertexId n) {
+        return ways[n][true] == 2 && ways[n][false] == 2
+                   ? ""
+                   : "towards one neighbour " + std::to_string(ways[n][false]) + others + " and " +
+                         std::to_string(ways[n][true]) + " flips, not two and two";
+      },
+      placed_in(*region));
 }
 
 Judgement judge_quadruple(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
   if (region == nullptr || s.valence() != 4) return not_applicable();
-  Judgement j;
-  for (const BasicOperation& op : all_operations(region->mesh)) {
-    if (!is_flip(op.kind)) continue;
-    ++j.checks;
-    QuadMesh after = region->mesh;
-    const mesh::Applied done = mesh::apply(after, op);
-    std::multiset<int> valences;
-    for (const VertexId v : mesh::irregular_vertices(after)) valences.insert(after.valence(v));
-    if (valences != std::multiset<int>{3, 3, 5, 5})
-      return violated(*region, mesh::to_string(op) + " does not make 3-3-5-5", j);
-    if (mesh::apply(after, done.inverse).refusal != Refusal::none || !mesh::irregular_vertices(after).empty()) {
-      return violated(*region, "the other flip does not remove 3-3-5-5", j);
-    }
-  }
-  j.applies = j.checks > 0;  // the smallest grids have no flip that spares the boundary
-  return j;
+  std::vector<BasicOperation> flips = all_operations(region->mesh);
+  std::erase_if(flips, [](const BasicOperation& op) { return !is_flip(op.kind); });
+  // The smallest grids have no flip that spares the boundary.
+  return for_each_of(
+      flips, "flip", "makes 3-3-5-5, and the other flip removes them",
+      [region](const BasicOperation& op) -> std::string {
+        QuadMesh after = region->mesh;
+        const mesh::Applied done = mesh::apply(after, op);
+        std::multiset<int> valences;
+        for (const VertexId v : mesh::irregular_vertices(after)) valences.insert(after.valence(v));
+        if (valences != std::multiset<int>{3, 3, 5, 5}) return mesh::to_string(op) + " does not make 3-3-5-5";
+        if (mesh::apply(after, done.inverse).refusal != Refusal::none || !mesh::irregular_vertices(after).empty())
+          return "the other flip does not remove 3-3-5-5";
+        return "";
+      },
+      placed_in(*region));
 }
 
 Judgement judge_type_changes(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
   const int valence = s.valence();
   if (region == nullptr || valence == 3 || valence == 4 || valence == 5) return not_applicable();
-  Judgement j;
-  ++j.checks;
-  if (valence == 2 || valence == 6) {
+  const bool parts = valence == 2 || valence == 6;
+  const auto problem = [&](int) -> std::string {
+    if (!parts)
+      return reducible_by_splits(region->mesh, excess({valence})) ? "" : "no splits lead to v3s and v5s alone";
     const Kind kind = valence == 2 ? Kind::collapse : Kind::split;
     const std::multiset<int> goal = valence == 2 ? std::multiset<int>{3, 3} : std::multiset<int>{5, 5};
     const auto operations = all_operations(region->mesh);
     const bool found = std::any_of(operations.begin(), operations.end(), [&](const BasicOperation& op) {
       return op.kind == kind && performed(region->mesh, op).valences == goal;
     });
-    return found ? j : violated(*region, "no single operation parts the vertex in two", j);
-  }
-  return reducible_by_splits(region->mesh, excess({valence}))
-             ? j
-             : violated(*region, "no splits lead to v3s and v5s alone", j);
+    return found ? "" : "no single operation parts the vertex in two";
+  };
+  return for_each_of(std::array{valence}, "vertex of valence " + std::to_string(valence),
+                     valence == 2   ? "one collapse makes 3-3"
+                     : valence == 6 ? "one split makes 5-5"
+                                    : "splits make v3s and v5s alone",
+                     problem, placed_in(*region));
 }
 
 }  // namespace requad::verify

@@ -116,26 +116,35 @@ std::string check_growth(PairType type, const FoundNode& node) {
 
 }  // namespace
 
-Judgement judge_gauss_bonnet(const PairStudy& s) { return for_each_node(s, check_gauss_bonnet); }
-
-Judgement judge_lemma_8(const PairStudy& s) {
-  return for_each_node(s, [&s](const FoundNode& node) { return check_lemma_8(s.shape.type(), node); });
+Judgement judge_gauss_bonnet(const PairStudy& s) {
+  return for_each_node(s, "turns and indices sum to 4 chi", check_gauss_bonnet);
 }
 
-Judgement judge_lemma_9(const PairStudy& s) { return for_each_node(s, check_lemma_9); }
+Judgement judge_lemma_8(const PairStudy& s) {
+  return for_each_node(s, "R_alpha is a d1 x d2 grid, and its 1-ring is convex",
+                       [&s](const FoundNode& node) { return check_lemma_8(s.shape.type(), node); });
+}
+
+Judgement judge_lemma_9(const PairStudy& s) {
+  const int sides = s.shape.type().side_count();
+  return for_each_node(s, std::to_string(sides) + " sides, as G = " + std::to_string(4 - sides), check_lemma_9);
+}
 
 Judgement judge_growth(const PairStudy& s) {
-  return for_each_node(s, [&s](const FoundNode& node) { return check_growth(s.shape.type(), node); });
+  return for_each_node(s, "grown by strips it is the same mesh",
+                       [&s](const FoundNode& node) { return check_growth(s.shape.type(), node); });
 }
 
 // Distinct configurations have distinct separatrix vectors. Vectors are compared up to renaming: each stands for the
 // least one over the frames and both orders of the vertices.
 Judgement judge_theorem_11(const PairStudy& s) {
   std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
-  Judgement j;
-  for (std::size_t i = 0; i < s.found.nodes.size() && !j.violation; ++i) {
+  std::vector<std::size_t> pairs;
+  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
+    if (s.found.holds_pair(static_cast<int>(i))) pairs.push_back(i);
+  }
+  const auto problem = [&](std::size_t i) -> std::string {
     const FoundNode& node = s.found.nodes[i];
-    if (!s.found.holds_pair(static_cast<int>(i))) continue;
     std::vector<std::pair<int, int>> least;
     for (const auto& labelled : node.reading.frames) {
       for (const auto& frame : mesh::both_ends(node.region.mesh, labelled.frame)) {
@@ -145,15 +154,13 @@ Judgement judge_theorem_11(const PairStudy& s) {
         if (least.empty() || vector < least) least = std::move(vector);
       }
     }
-    ++j.checks;
     const auto [other, is_new] = seen.emplace(std::move(least), i);
-    if (!is_new) {
-      j.violation = at_node(s, i,
-                            "has the separatrix vector of " +
-                                theory::label(s.shape.type(), s.found.nodes[other->second].reading.configuration));
-    }
-  }
-  return j;
+    if (is_new) return "";
+    return "has the separatrix vector of " +
+           theory::label(s.shape.type(), s.found.nodes[other->second].reading.configuration);
+  };
+  return for_each_of(pairs, "configuration", "a separatrix vector of its own", problem,
+                     [&s](std::size_t i, std::string what) { return at_node(s, i, std::move(what)); });
 }
 
 }  // namespace requad::verify

@@ -33,8 +33,9 @@ theory::ConfigurationGraph predicted_graph(const PairStudy& s, theory::Apex apex
 }
 
 struct GraphComparison {
-  bool isomorphic = false;  // with labels
-  std::size_t edges = 0;    // found
+  bool isomorphic = false;    // with labels
+  std::size_t predicted = 0;  // edges
+  std::size_t edges = 0;      // found
   std::string difference;
 };
 
@@ -42,6 +43,7 @@ GraphComparison compare_graphs(const PairStudy& s, theory::Apex apex) {
   GraphComparison result;
   std::vector<int> predicted_names, node_of, found_names;
   const auto predicted = predicted_graph(s, apex, predicted_names);
+  result.predicted = num_edges(predicted);
   theory::ConfigurationGraph found;
   try {
     found = enumerate::found_graph(s.found, apex, &node_of);
@@ -78,6 +80,26 @@ theory::Integer tau(const PairStudy& s, theory::Integer length) {
   return is_digon(s) ? theory::tau_digon(length) : theory::tau_hexagon(length);
 }
 
+// "tau(6) = N (N - 1) = 6 with N = 3", as Theorems 7.2 and 7.3 write it.
+std::string tau_text(const PairStudy& s, theory::Integer length) {
+  return "tau(" + std::to_string(length) + ") = " + (is_digon(s) ? "" : "3 ") +
+         (length % 2 == 0 ? "N (N - 1)" : "N^2") + " = " + std::to_string(tau(s, length)) +
+         " with N = " + std::to_string(length / 2);
+}
+
+// The number of edges, the merged configuration included.
+std::string edges_text(const PairStudy& s, std::size_t edges) {
+  const bool merges = std::any_of(s.map.nodes.begin(), s.map.nodes.end(),
+                                  [](const theory::MapNode& node) { return node.configuration.merged(); });
+  return counted(static_cast<std::int64_t>(edges), "edge") +
+         (merges ? " with the v" + std::to_string(s.shape.type().side_count()) : "");
+}
+
+// Adds what one method found.
+void add_found(Judgement& j, Method method, const std::string& text) {
+  j.found += (j.found.empty() ? "" : "; ") + (name(method) + (": " + text));
+}
+
 // Compares what moves found with the parameter set, the predicted graph and the theorem's steps.
 void judge_moves(const PairStudy& s, Judgement& j) {
   Requirements required(j);
@@ -88,6 +110,8 @@ void judge_moves(const PairStudy& s, Judgement& j) {
   j.row["moves"] = found;
   j.row["edges"] = pair_graph.edges;
   j.row["isomorphic"] = pair_graph.isomorphic && full_graph.isomorphic;
+  j.predicted += ", " + edges_text(s, full_graph.predicted);
+  add_found(j, Method::moves, counted(found, "configuration") + ", " + edges_text(s, full_graph.edges));
   required.that(predicted == found, at_region(s, "the parameter set has " + std::to_string(predicted) +
                                                      " configurations, moves find " + std::to_string(found)));
   for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
@@ -142,6 +166,7 @@ void judge_search(const PairStudy& s, Judgement& j) {
   std::sort(pairs.begin(), pairs.end());
   std::sort(merged.begin(), merged.end());
   j.row["search"] = s.searched->size();
+  add_found(j, Method::search, counted(static_cast<std::int64_t>(s.searched->size()), "filling"));
   required.that(pairs == *s.searched,
                 at_region(s, "search finds " + std::to_string(s.searched->size()) + " fillings, not the " +
                                  std::to_string(pairs.size()) + " of the parameter set"));
@@ -158,6 +183,9 @@ void judge_walk(const PairStudy& s, Judgement& j) {
   const enumerate::WalkResult& w = *s.walked;
   j.row["walk"] = w.configurations;
   j.row["walk_edges"] = w.edges;
+  add_found(j, Method::walk,
+            counted(w.configurations, "configuration") + ", " + std::to_string(w.edges) + " of " +
+                counted(w.predicted_edges, "edge"));
   j.checks += w.identifications;
   required.that(w.problem.empty(), {"walk: " + w.problem, w.configuration, "", w.mesh});
   required.that(w.configurations == s.exact_count,
@@ -186,6 +214,8 @@ Judgement judge_theorem_1(const VertexStudy& s) {
            {"sides", side_list(s.sides)},
            {"predicted", predicted.size()},
            {"search", s.searched->size()}};
+  j.predicted = counted(static_cast<std::int64_t>(predicted.size()), "positive solution") + " of the circulant";
+  j.found = counted(static_cast<std::int64_t>(s.searched->size()), "filling") + " by search";
   required.that(predicted == *s.searched, at_region(s, "search finds " + std::to_string(s.searched->size()) +
                                                            " configurations, the circulant has " +
                                                            std::to_string(predicted.size()) + " positive solutions"));
@@ -209,17 +239,21 @@ Judgement judge_theorem(const PairStudy& s) {
   if (is_regular(s)) {
     const theory::Integer expected = tau(s, s.shape.longest());
     j.row["tau"] = expected;
+    j.predicted = tau_text(s, s.shape.longest());
     required.that(expected == predicted, at_region(s, "tau is " + std::to_string(expected) +
                                                           ", the parameter set has " + std::to_string(predicted)));
   } else if (!is_quad(s)) {
-    const theory::Integer bound = tau(s, theory::smallest_regular(s.shape));
+    const theory::Integer length = theory::smallest_regular(s.shape);
+    const theory::Integer bound = tau(s, length);
     j.row["bound"] = bound;
+    j.predicted = "exactly " + std::to_string(s.exact_count) + ", at most " + tau_text(s, length);
     required.that(predicted <= bound, at_region(s, std::to_string(predicted) + " configurations exceed the bound " +
                                                        std::to_string(bound)));
   } else {
     const theory::QuadCount quad = theory::quad_count(s.shape);
     j.row["M"] = quad.m;
     j.row["N"] = quad.n;
+    j.predicted = "K = " + std::to_string(quad.m) + " x " + std::to_string(quad.n) + " = " + std::to_string(quad.k());
   }
   if (!s.found.nodes.empty()) judge_moves(s, j);
   if (s.searched) judge_search(s, j);

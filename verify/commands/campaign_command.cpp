@@ -41,10 +41,9 @@ std::vector<const Claim*> select(const Options& options, const std::set<Method>&
     return selected;
   }
   for (const std::string& id : options.list("claim")) {
-    const auto& all = claims();
-    const auto it = std::find_if(all.begin(), all.end(), [&](const Claim& c) { return c.id == id; });
-    if (it == all.end()) throw UsageError("--claim: '" + id + "' is not a claim; see --list");
-    if (std::find(selected.begin(), selected.end(), &*it) == selected.end()) selected.push_back(&*it);
+    const Claim* const claim = find_claim(id);
+    if (claim == nullptr) throw UsageError("--claim: '" + id + "' is not a claim; see --list");
+    if (std::find(selected.begin(), selected.end(), claim) == selected.end()) selected.push_back(claim);
   }
   return selected;
 }
@@ -134,9 +133,11 @@ int exit_code(const CampaignResult& result) {
 int campaign(const Options& options, Processes& processes) {
   if (!processes.leads() && (options.has("list") || options.has("proofs"))) return program::kDone;
   if (options.has("list")) {
+    options.allow_only("--list", {"list"});
     print_claims();
     return program::kDone;
   }
+  if (options.has("proofs")) options.allow_only("--proofs", {"proofs", "claim"});
   const std::set<Method> methods = methods_of(options);
   const std::vector<const Claim*> selected = select(options, methods);
   if (options.has("proofs")) return print_proofs(selected);
@@ -209,9 +210,10 @@ program::Command campaign_command(Processes& processes) {
                              "write every configuration, every edge with its script, and the counts into DIR, for "
                              "`requad-verify check`"),
               program::output("html", "FILE|-", "write the report as one HTML page that needs no other file"),
-              program::flag("list", "print the claims, with what each check compares"),
+              program::flag("list", "print the claims, with what each check compares, and check nothing"),
               program::flag("proofs",
-                            "print the proofs for all sizes, step by step, of the claims that linear algebra decides"),
+                            "print the proofs for all sizes, step by step, of the claims that linear algebra decides, "
+                            "and check no region"),
           },
       .outputs_are_known = false,
       .run = [&processes](const Options& options) { return campaign(options, processes); },
