@@ -83,6 +83,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
                               {"range", range_text(ranges, c.claim->families)},
                               {"methods", methods},
                               {"compares", c.claim->compares},
+                              {"fails_if", c.claim->fails_if},
                               {"seconds", c.seconds},
                               {"counterexample", counterexample(c)},
                               {"proof", proof_json(c.proof)},
@@ -241,7 +242,8 @@ the boundary with quads in every possible way, without any theorem.</p>
     html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() +
             ": <span class=\"" + verdict_text + "\">" + verdict_text + "</span></h2>\n<p>" + escaped(c["statement"]) +
             " <em>(" + escaped(c["where"]) + ")</em></p>\n<p>Compared: " + escaped(c["compares"]) +
-            ". Found by: " + escaped(cell(c["methods"])) + ". Range: " + escaped(c["range"]) + ".</p>\n";
+            ". The check fails if " + escaped(c["fails_if"]) + ". Found by: " + escaped(cell(c["methods"])) +
+            ". Range: " + escaped(c["range"]) + ".</p>\n";
     if (!c["counterexample"].is_null()) {
       html += "<p class=\"fails\">Violated by: " + escaped(c["counterexample"]["region"]) + " " +
               escaped(c["counterexample"]["configuration"]) + " " + escaped(c["counterexample"]["move"]) + ": " +

@@ -83,6 +83,7 @@ TEST_CASE("the report has the keys that others rely on", "[verify]") {
       CHECK(c.contains(key));
     }
     CHECK(c["verdict"] == "holds");
+    CHECK(!c["fails_if"].get<std::string>().empty());
     CHECK(c["counterexample"].is_null());
     CHECK(!c["table"].empty());
   }

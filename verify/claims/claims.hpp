@@ -1,7 +1,7 @@
 // The claims of the paper that this program verifies, and how one region is judged by them.
 //
-// Each claim is a row of one table: its id, what the paper states, and the check that judges a study. The checks are in
-// the other sources of this folder, by subject (judging.hpp lists them).
+// Each claim is a row of one table: its id, what the paper states, and the check that judges a study. The rows are in
+// operation_claims.cpp and region_claims.cpp. The checks are in the other sources, by subject (judging.hpp lists them).
 #pragma once
 
 #include <optional>
@@ -45,6 +45,7 @@ struct Claim {
   std::string where;  // in the paper
   std::string statement;
   std::string compares;       // the two sides of the check, for readers of the report
+  std::string fails_if;       // what makes the check fail: "fails if ..."
   std::set<Family> families;  // the regions that the claim can say something about
   std::set<Method> methods;   // the methods that the check can use; at least one must be asked for
   Check check;

@@ -78,7 +78,8 @@ void write_violations(const CampaignResult& result, const std::string& folder) {
 
 void print_claims() {
   for (const Claim& c : claims()) {
-    std::cout << c.id << "  " << c.statement << " [" << c.where << "]\n     compares: " << c.compares << "\n";
+    std::cout << c.id << "  " << c.statement << " [" << c.where << "]\n     compares: " << c.compares
+              << "\n     fails if: " << c.fails_if << "\n";
   }
 }
 
@@ -210,7 +211,8 @@ program::Command campaign_command(Processes& processes) {
                              "write every configuration, every edge with its script, and the counts into DIR, for "
                              "`requad-verify check`"),
               program::output("html", "FILE|-", "write the report as one HTML page that needs no other file"),
-              program::flag("list", "print the claims, with what each check compares, and check nothing"),
+              program::flag(
+                  "list", "print the claims, with what each check compares and what makes it fail, and check nothing"),
               program::flag("proofs",
                             "print the proofs for all sizes, step by step, of the claims that linear algebra decides, "
                             "and check no region"),

@@ -1,0 +1,142 @@
+// The claims about operations on a mesh: basic, atomic and pair-wise (sections 2, 4, 5, 6).
+#include "verify/claims/judging.hpp"
+#include "verify/claims/table.hpp"
+
+namespace requad::verify {
+
+std::vector<Claim> operation_claims() {
+  using enum Family;
+  const std::set<Family> kPairs{regular_digon, regular_hexagon, quad, other_digon, other_hexagon};
+  const std::set<Family> kEqualPairs{regular_digon, regular_hexagon, other_digon, other_hexagon};
+  const std::set<Family> kAll{regular_digon, regular_hexagon, quad, other_digon, other_hexagon, single_vertex};
+  constexpr Method kMoves = Method::moves;
+  return {
+      {
+          .id = "B1",
+          .where = "section 2",
+          .statement = "Every basic operation applied at a single irregular vertex of a regular neighbourhood "
+                       "increases the number of irregular vertices.",
+          .compares = "irregular vertices before and after every operation at the vertex",
+          .fails_if = "an operation at the vertex leaves at most one irregular vertex",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_single_vertex_operations,
+      },
+      {
+          .id = "B2",
+          .where = "section 4",
+          .statement = "The valence changes of collapse, split and flip.",
+          .compares = "all valences before and after every operation at every site",
+          .fails_if =
+              "after one operation the valence of any vertex is another than section 4 gives, or a vertex is missing",
+          .families = kAll,
+          .methods = {kMoves},
+          .check = judge_valence_changes,
+      },
+      {
+          .id = "B3",
+          .where = "section 4",
+          .statement = "Collapse and split are inverse; a flip's inverse is the other flip; a flip is one split and "
+                       "one collapse; neither collapse nor split is a combination of the other two.",
+          .compares = "every operation and its inverse; every flip and all splits with a collapse at its ends; faces "
+                      "made, by which no flips and splits make a collapse",
+          .fails_if = "an inverse of the stated kind does not restore the mesh, a flip is no split and collapse at its "
+                      "ends, or the number of faces changes by another number than 0, 1 or -1",
+          .families = kAll,
+          .methods = {kMoves},
+          .check = judge_inverses,
+      },
+      {
+          .id = "A1",
+          .where = "section 5",
+          .statement = "An adjacent 3-5 pair moves to each of its six adjacent vertices: two by collapse, two by "
+                       "split, two by flip.",
+          .compares = "all operations after which one adjacent 3-5 pair is left",
+          .fails_if = "the operations after which one adjacent 3-5 pair is left do not make two meshes by collapse, "
+                      "two by split and two by flip",
+          .families = {quad},
+          .methods = {kMoves},
+          .check = judge_adjacent_pair,
+      },
+      {
+          .id = "A2",
+          .where = "section 5",
+          .statement = "v3: each direction by two collapses and two flips; v5: each of five directions by two splits "
+                       "and two flips.",
+          .compares = "all operations after which a neighbour has the vertex's valence beside an adjacent 3-5 pair",
+          .fails_if = "towards one neighbour there are not exactly two operations of each kind",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_vertex_steps,
+      },
+      {
+          .id = "A3",
+          .where = "section 5",
+          .statement = "One flip makes, and one unmakes, 3-3-5-5.",
+          .compares = "all flips of a regular grid, and back",
+          .fails_if = "one flip makes other valences than 3-3-5-5, or the other flip leaves an irregular vertex",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_quadruple,
+      },
+      {
+          .id = "A4",
+          .where = "section 5",
+          .statement = "v2 becomes 3-3 by one collapse, v6 becomes 5-5 by one split; any valence other than 3, 4, 5 "
+                       "reduces to v3s or v5s.",
+          .compares = "all operations at the vertex; splits until no valence is beyond 5",
+          .fails_if = "no collapse of a v2 makes 3-3, no split of a v6 makes 5-5, or no sequence of splits ends in v3s "
+                      "and v5s alone",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_type_changes,
+      },
+      {
+          .id = "P1",
+          .where = "section 6",
+          .statement = "A 3-5 move keeps (d1,d2), in four directions.",
+          .compares = "labels read off the meshes before and after each move",
+          .fails_if = "a move changes d1 or d2, two of the four directions are one step, or not four were tried",
+          .families = {quad},
+          .methods = {kMoves},
+          .check = judge_distance_kept,
+      },
+      {
+          .id = "P2",
+          .where = "section 6",
+          .statement = "A 3-3 or 5-5 move changes (d1,d2) by one of (+-1,+-1), four directions.",
+          .compares = "labels read off the meshes before and after each move",
+          .fails_if = "a move changes d1 or d2 by another number than 1, two of the four directions are one step, or "
+                      "not four were tried",
+          .families = kEqualPairs,
+          .methods = {kMoves},
+          .check = judge_distance_changed,
+      },
+      {
+          .id = "P3",
+          .where = "section 6",
+          .statement = "The length of the connecting path determines the faces created or deleted.",
+          .compares = "faces of the meshes, faces reported by the move, the closed form of the face count, the length "
+                      "of the path",
+          .fails_if = "the faces that a move adds are not d1 and d2 combined as the step says, or a mesh has another "
+                      "number of faces than the closed form",
+          .families = kPairs,
+          .methods = {kMoves},
+          .check = judge_faces,
+      },
+      {
+          .id = "P4",
+          .where = "section 6",
+          .statement = "The transported pair may take any path, so a sharp feature stays untouched.",
+          .compares = "adjacent pairs transported in all directions, with a feature on an edge that the direct path "
+                      "removes: the feature, the configurations they make, those that moves reach",
+          .fails_if = "a transported pair removes the feature or makes a configuration that no move reaches, or a "
+                      "refusal changes the mesh",
+          .families = kPairs,
+          .methods = {kMoves},
+          .check = judge_detour,
+      },
+  };
+}
+
+}  // namespace requad::verify
