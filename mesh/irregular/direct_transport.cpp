@@ -1,5 +1,7 @@
 #include "mesh/irregular/direct_transport.hpp"
 
+#include <algorithm>
+
 #include "mesh/irregular/edit_refusal.hpp"
 #include "mesh/irregular/transport_step.hpp"
 #include "mesh/topology/separatrix.hpp"
@@ -11,8 +13,9 @@ DirectTransport::DirectTransport(OperationLog& log, const PairFrame& pair) : log
   keep(pair.v2);
 }
 
-void DirectTransport::start(HalfEdgeId h) {
+void DirectTransport::start(HalfEdgeId h, VertexId moved) {
   pair_ = {h};
+  moved_ = moved;
   for (const VertexId v : {v3(), v5()}) {
     if (m_.is_boundary(v)) refuse(EditRefusal::touches_boundary);
     if (m_.face_valence(v) != 4 && !is_kept(v)) refuse(EditRefusal::irregular_in_the_way);
@@ -101,12 +104,23 @@ void DirectTransport::steps(Hand hand, int times, int turn) {
   }
 }
 
+// What is known by its id must not outlive it: ids are used again.
+void DirectTransport::rename(VertexId removed, VertexId merged_into) {
+  if (moved_ == removed) moved_ = merged_into;
+  std::replace(kept_.begin(), kept_.begin() + kept_count_, removed, merged_into);
+}
+
 bool DirectTransport::perform(const BasicOperation& op) {
+  const bool collapses = op.kind == BasicOperation::Kind::collapse && m_.is_live(op.h);
+  const VertexId kept = collapses ? m_.origin(op.h) : VertexId();
+  const VertexId removed = collapses ? m_.origin(QuadMesh::opposite(op.h)) : VertexId();
   const Applied done = log_.run(op);
   refuse(done.refusal);
+  if (refused()) return false;
+  if (collapses) rename(removed, kept);
   first_ = false;
   made_ = done.made;
-  return !refused();
+  return true;
 }
 
 bool DirectTransport::perform_first(const BasicOperation& op, const std::array<VertexId, 4>& changed) {

@@ -30,8 +30,11 @@ class DirectTransport {
     if (!refused()) refusal_ = why;
   }
 
-  // Begins with the adjacent pair on h, which runs from its v3 (or from the vertex in that role) to its v5.
-  void start(HalfEdgeId h);
+  // Begins with the adjacent pair on h, which runs from its v3 (or from the vertex in that role) to its v5. `moved` is
+  // the end of the pair that the first operation moved: the v3 or the v5 that stays behind when the adjacent pair leaves.
+  void start(HalfEdgeId h, VertexId moved);
+  // That vertex as it is now. On a closed surface a later collapse can merge it with another one, whose id it then has.
+  VertexId moved() const { return moved_; }
   VertexId v3() const { return pair_.u(m_); }
   VertexId v5() const { return pair_.v(m_); }
 
@@ -48,6 +51,7 @@ class DirectTransport {
 
  private:
   void keep(VertexId v);
+  void rename(VertexId removed, VertexId merged_into);
   bool is_kept(VertexId v) const;
   bool can_land(HalfEdgeId h);
   template <TransportStep::Kind kind>
@@ -61,6 +65,7 @@ class DirectTransport {
   const QuadMesh& m_;
   Refusal refusal_ = Refusal::none;
   AdjacentPair pair_;
+  VertexId moved_;
   bool first_ = true;              // no operation was performed yet
   HalfEdgeId made_;                // by the last operation
   VertexId last_u_, last_v_;       // the adjacent pair before the last step

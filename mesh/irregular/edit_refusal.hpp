@@ -9,6 +9,7 @@ namespace reasons {
 inline constexpr Refusal::Reason kTouchesBoundary{8, "a boundary vertex would change its valence"};
 inline constexpr Refusal::Reason kNoSuchStep{9, "the pair has no configuration in this direction"};
 inline constexpr Refusal::Reason kIrregularInTheWay{10, "another irregular vertex is in the way"};
+inline constexpr Refusal::Reason kOverlapsItself{11, "the pair's rectangle overlaps itself, or the faces round it do"};
 inline constexpr Refusal::Reason kNoPath{13, "no path leads the 3-5 pair to a vertex that can take it"};
 inline constexpr Refusal::Reason kWrongValences{14, "the vertices do not have the valences that this needs"};
 inline constexpr Refusal::Reason kNoRectangle{
@@ -27,6 +28,8 @@ struct EditRefusal {
   static constexpr Refusal no_such_step{reasons::kNoSuchStep};  // the pair has no configuration in this direction
   // Another irregular vertex lies on the path of the move, or the mesh there is not what the move needs.
   static constexpr Refusal irregular_in_the_way{reasons::kIrregularInTheWay};
+  // The move does not work out, and R_alpha with the faces round it is not embedded (Law irregular-13).
+  static constexpr Refusal overlaps_itself{reasons::kOverlapsItself};
   // Of transport.
   static constexpr Refusal no_path{reasons::kNoPath};  // no path leads the adjacent pair to a vertex that can take it
   // Of complementary operations: what no sequence of operations can do.

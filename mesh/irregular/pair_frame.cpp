@@ -36,7 +36,8 @@ std::optional<PairFrame> frame_at(const QuadMesh& m, HalfEdgeId first_leg, int d
   if (!to_x || !to_y || !regular(m, m.target(*to_x)) || !regular(m, m.target(*to_y))) return std::nullopt;
   const auto from_x = end_of_straight_path(m, left_of(m, *to_x), d1);
   const auto from_y = end_of_straight_path(m, right_of(m, *to_y), d2);
-  if (!from_x || !from_y || m.target(*from_x) != m.target(*from_y)) return std::nullopt;
+  // R_alpha has one corner at v2: the two ways arrive there by edges that follow each other.
+  if (!from_x || !from_y || m.twin(*from_y) != m.cw(m.twin(*from_x))) return std::nullopt;
   frame.v2 = m.target(*from_x);
   return frame;
 }
@@ -171,6 +172,58 @@ std::vector<FaceId> ring(const QuadMesh& m, const PairFrame& f) {
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
+}
+
+namespace {
+
+// The vertices of some faces, each once, in the order of their ids.
+std::vector<VertexId> vertices_of(const QuadMesh& m, const std::vector<FaceId>& faces) {
+  std::vector<VertexId> vertices;
+  for (const FaceId face : faces) {
+    for (const VertexId v : m.corners(face)) vertices.push_back(v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+// Whether the ring has as many faces and vertices as it has in the plane. There each edge of the rim has a face outside
+// R_alpha. At v1 and v2, and at the other two corners of a rectangle, there are faces that have no edge of the rim: in
+// all l(v1) + l(v2) - 4 of them. A face of the first kind has one edge on the outer boundary, one of the second has two.
+bool has_planar_size(const QuadMesh& m, const PairFrame& f, const std::vector<FaceId>& faces,
+                     const std::vector<VertexId>& vertices) {
+  const int rim_edges = 2 * f.distance();
+  const int l1 = m.face_valence(f.v1);
+  const int corners = f.merged() ? l1 : l1 + m.face_valence(f.v2) - 4;
+  const int face_count = f.d1 * f.d2 + rim_edges + corners;
+  const int vertex_count = (f.d1 + 1) * (f.d2 + 1) + rim_edges + 2 * corners;
+  return static_cast<int>(faces.size()) == face_count && static_cast<int>(vertices.size()) == vertex_count;
+}
+
+}  // namespace
+
+bool overlaps_itself(const QuadMesh& m, const PairFrame& f) {
+  if (!f.merged() && !grid(m, f)) return false;
+  const std::vector<FaceId> faces = ring(m, f);
+  return !has_planar_size(m, f, faces, vertices_of(m, faces));
+}
+
+bool has_room(const QuadMesh& m, const PairFrame& f) {
+  if (!f.merged() && !grid(m, f)) return false;
+  const std::vector<FaceId> faces = ring(m, f);
+  const std::vector<VertexId> vertices = vertices_of(m, faces);
+  if (!has_planar_size(m, f, faces, vertices)) return false;
+  const auto in_ring = [&](const auto& list, auto id) { return std::binary_search(list.begin(), list.end(), id); };
+  for (const VertexId v : vertices) {
+    if (v != f.v1 && v != f.v2 && !regular(m, v)) return false;
+    bool induced = true;
+    m.for_each_out(v, [&](HalfEdgeId h) {
+      const bool of_a_face = in_ring(faces, QuadMesh::face(h)) || in_ring(faces, QuadMesh::face(m.twin(h)));
+      induced = induced && (of_a_face || !in_ring(vertices, m.target(h)));
+    });
+    if (!induced) return false;
+  }
+  return true;
 }
 
 }  // namespace requad::mesh

@@ -73,4 +73,12 @@ std::optional<std::vector<FaceId>> grid(const QuadMesh& mesh, const PairFrame& f
 // (Lemma 7.8). In the order of their ids. Precondition: grid() is there, or the pair is merged. O(d1 d2 log(d1 d2)).
 std::vector<FaceId> ring(const QuadMesh& mesh, const PairFrame& frame);
 
+// Whether R_alpha overlaps itself, or the faces round it overlap it or one another: a vertex or a face of ring() counts
+// twice. This never happens in a convex region. Precondition: grid() is there, or the pair is merged; else false.
+// O(d1 d2 log(d1 d2)).
+bool overlaps_itself(const QuadMesh& mesh, const PairFrame& frame);
+// Whether R_alpha lies free: grid() is there, ring() does not overlap itself, all its vertices but v1 and v2 are
+// regular, and all edges between them are edges of its faces. O(d1 d2 log(d1 d2)).
+bool has_room(const QuadMesh& mesh, const PairFrame& frame);
+
 }  // namespace requad::mesh

@@ -23,9 +23,17 @@
 // Law irregular-12 (locality, claim N4). A move changes no valence outside the smallest convex region that holds the
 // pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
 //
-// Legality. A move is legal if all its operations are, and if it meets no boundary and no other irregular vertex.
-// Nothing predicts this: move_pair() tries, and rolls the log back if an operation is refused. pair_moves() lists only
-// candidates.
+// Legality. A move is legal if all its operations are, if it meets no boundary and no other irregular vertex, and if the
+// pair then spans the rectangle that the table says. Nothing predicts this: move_pair() tries, from v1 and then from v2,
+// and rolls back what is refused. pair_moves() lists candidates only.
+//
+// Law irregular-13 (room). All candidates are legal if R_alpha has room (has_room() in pair_frame.hpp): it is embedded
+// with the faces round it, and regular. In a convex region that is so for each pair that the boundary does not touch.
+// On closed surfaces separatrices wind round, and R_alpha can overlap itself or contain other irregular vertices. Many
+// moves are legal there nevertheless, and the laws hold for those. The others are refused.
+//
+// Law irregular-14 (inverse). The inverse of a legal move is legal, and restores the mesh up to isomorphism. So it does
+// not matter in which order v1 and v2 are given.
 //
 // Costs: max(d1, d2) + O(1) basic operations for a slide, d1 + d2 + O(1) for open and close, whatever the size of the
 // mesh. The frame in the report takes walks of d1 + d2 edges and no operation.
@@ -52,6 +60,9 @@ const char* name(PairStep step);  // "slide_first", ...
 struct PairMove {
   PairFrame frame;
   PairStep step = PairStep::slide_first;
+  // The end of the pair at which the move starts; if it is refused, it starts at the other. The adjacent pair goes round
+  // the other corner of R_alpha then. Where R_alpha is a grid this makes no difference to the mesh, up to isomorphism.
+  bool from_v2 = false;
 };
 
 // The four moves that the pair could make if the mesh had room. Empty if v1 and v2 are no 3-3, 5-5 or 3-5 pair, or if
@@ -65,7 +76,8 @@ struct MoveReport {
   Refusal refusal = Refusal::none;
   std::vector<BasicOperation> operations;  // in the order in which they were applied
   std::vector<BasicOperation> undo;        // the inverses, last first: they restore every array of the mesh
-  PairMove inverse;                        // inverse.frame is the pair's frame after the move
+  std::array<VertexId, 2> after;  // v1 and v2 of the move's frame as they are now; one vertex twice if they merged
+  PairMove inverse;               // inverse.frame is the pair's frame after the move
 
   int faces_made() const;     // one for each split
   int faces_deleted() const;  // one for each collapse
