@@ -111,7 +111,7 @@ void DirectTransport::rename(VertexId removed, VertexId merged_into) {
 }
 
 bool DirectTransport::perform(const BasicOperation& op) {
-  const bool collapses = op.kind == BasicOperation::Kind::collapse && m_.is_live(op.h);
+  const bool collapses = op.kind == BasicOperation::Kind::collapse && op.h.valid();
   const VertexId kept = collapses ? m_.origin(op.h) : VertexId();
   const VertexId removed = collapses ? m_.origin(QuadMesh::opposite(op.h)) : VertexId();
   const Applied done = log_.run(op);

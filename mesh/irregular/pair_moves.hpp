@@ -32,8 +32,10 @@
 // On closed surfaces separatrices wind round, and R_alpha can overlap itself or contain other irregular vertices. Many
 // moves are legal there nevertheless, and the laws hold for those. The others are refused.
 //
-// Law irregular-14 (inverse). The inverse of a legal move is legal, and restores the mesh up to isomorphism. So it does
-// not matter in which order v1 and v2 are given.
+// Law irregular-14 (inverse). The inverse of a legal move is legal. If R_alpha is a grid (grid() in pair_frame.hpp), it
+// restores the mesh up to isomorphism. Otherwise it can lead round the other side of an irregular vertex in R_alpha.
+//
+// Law irregular-15 (order). The pairs v1, v2 and v2, v1 have the same moves.
 //
 // Costs: max(d1, d2) + O(1) basic operations for a slide, d1 + d2 + O(1) for open and close, whatever the size of the
 // mesh. The frame in the report takes walks of d1 + d2 edges and no operation.
