@@ -30,7 +30,7 @@ void sweep_threads(benchmark::State& state) {
   ranges.digon = {3, 20};
   ranges.hexagon = {3, 8};
   ranges.quad_perimeter = {8, 16};
-  const verify::CaseList list = verify::list_cases(
+  const std::vector<verify::RegionCase> cases = verify::list_cases(
       ranges, {verify::Family::regular_digon, verify::Family::regular_hexagon, verify::Family::quad});
   std::vector<const verify::Claim*> claims;
   for (const verify::Claim& claim : verify::claims()) claims.push_back(&claim);
@@ -38,11 +38,11 @@ void sweep_threads(benchmark::State& state) {
   running.threads = static_cast<int>(state.range(0));
   running.quiet = true;
   for (auto _ : state) {
-    for (const auto& result : verify::run_campaign(claims, list, {verify::Method::moves}, running).claims) {
+    for (const auto& result : verify::run_campaign(claims, cases, {verify::Method::moves}, running).claims) {
       require(!result.violation, "a claim fails");
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.cases.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cases.size()));
 }
 BENCHMARK(sweep_threads)->Apply(one_and_two);
 

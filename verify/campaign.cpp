@@ -55,8 +55,8 @@ using Results = std::vector<std::optional<CaseResult>>;
 // Counts regions or, if walks are asked for, the configurations they visit: a walk of one region can take long.
 class CampaignProgress {
  public:
-  CampaignProgress(const CaseList& list, bool by_configurations, bool quiet)
-      : list_(list),
+  CampaignProgress(const std::vector<RegionCase>& cases, bool by_configurations, bool quiet)
+      : cases_(cases),
         by_configurations_(by_configurations),
         progress_(by_configurations ? "configurations" : "regions", all_steps(), quiet) {}
 
@@ -73,16 +73,16 @@ class CampaignProgress {
  private:
   std::int64_t steps(std::size_t i) const {
     if (!by_configurations_) return 1;
-    const auto* const pair = std::get_if<PairCase>(&list_.cases[i]);
+    const auto* const pair = std::get_if<PairCase>(&cases_[i]);
     return pair != nullptr ? theory::exact_count(pair->shape) : 0;
   }
   std::int64_t all_steps() const {
     std::int64_t sum = 0;
-    for (std::size_t i = 0; i < list_.cases.size(); ++i) sum += steps(i);
+    for (std::size_t i = 0; i < cases_.size(); ++i) sum += steps(i);
     return sum;
   }
 
-  const CaseList& list_;
+  const std::vector<RegionCase>& cases_;
   bool by_configurations_;
   program::Progress progress_;
 };
@@ -107,28 +107,32 @@ struct Cost {
 };
 
 // The cases without a result. The costliest come first, so that none of them is left for the end.
-std::vector<std::size_t> still_to_do(const CaseList& list, const Results& results) {
+std::vector<std::size_t> still_to_do(const std::vector<RegionCase>& cases, const Results& results) {
   std::vector<std::size_t> todo;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i]) todo.push_back(i);
   }
-  std::stable_sort(todo.begin(), todo.end(), [&list](std::size_t a, std::size_t b) {
-    return std::visit(Cost{}, list.cases[a]) > std::visit(Cost{}, list.cases[b]);
+  std::stable_sort(todo.begin(), todo.end(), [&cases](std::size_t a, std::size_t b) {
+    return std::visit(Cost{}, cases[a]) > std::visit(Cost{}, cases[b]);
   });
   return todo;
 }
 
-// Sums up the judgements of all cases about one claim, which have this index. Moves the table's rows out of the
-// results.
-ClaimResult summed_up(const Claim& claim, std::size_t index, const CaseList& list, Results& results) {
-  ClaimResult total;
-  total.claim = &claim;
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    Judgement& j = results[i]->judgements[index];
-    total.seconds += results[i]->seconds[index];
-    if (!j.applies) continue;
+// Adds the judgements of one case to the totals of the claims. Moves tables' rows and violations out of the result.
+void add_up(const RegionCase& region, CaseResult& result, CampaignResult& campaign) {
+  campaign.study_seconds += result.study_seconds;
+  RegionTotal& regions = campaign.regions[family_of(region)];
+  ++regions.regions;
+  if (result.fillings) {
+    ++regions.searched;
+    if (*result.fillings == 0) ++regions.empty;
+  }
+  for (ClaimJudgement& judged : result.judgements) {
+    Judgement& j = judged.judgement;
+    ClaimResult& total = campaign.claims[judged.claim];
+    total.seconds += judged.seconds;
     ++total.instances;
-    FamilyTotal& family = total.totals[family_of(list.cases[i])];
+    FamilyTotal& family = total.totals[family_of(region)];
     ++family.regions;
     family.checks += j.checks;
     if (!j.row.is_null()) total.table.push_back(std::move(j.row));
@@ -136,10 +140,9 @@ ClaimResult summed_up(const Claim& claim, std::size_t index, const CaseList& lis
       total.violation = std::move(j.violation);
       total.predicted = std::move(j.predicted);
       total.found = std::move(j.found);
-      total.violating_region = list.cases[i];
+      total.violating_region = region;
     }
   }
-  return total;
 }
 
 void prove(ClaimResult& total) {
@@ -154,14 +157,14 @@ void prove(ClaimResult& total) {
 
 }  // namespace
 
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list,
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const std::vector<RegionCase>& cases,
                             const std::set<Method>& methods, const Running& running) {
-  Results results(list.cases.size());
+  Results results(cases.size());
   const bool walks_alone = methods == std::set<Method>{Method::walk};
-  CampaignProgress progress(list, walks_alone && !running.distribute, running.quiet);
+  CampaignProgress progress(cases, walks_alone && !running.distribute, running.quiet);
   if (running.journal != nullptr) take_from_journal(*running.journal, results, progress);
 
-  const std::vector<std::size_t> todo = still_to_do(list, results);
+  const std::vector<std::size_t> todo = still_to_do(cases, results);
   const Done done = [&](std::size_t i, CaseResult result) {
     if (running.journal != nullptr) running.journal->append(i, result);
     results[i] = std::move(result);
@@ -172,21 +175,20 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const Cas
   } else {
     const enumerate::WalkProgress walking = progress.while_walking();
     threads::run_on_threads(todo.size(), running.threads, [&](std::size_t i) {
-      done(todo[i], run_case(list.cases[todo[i]], selected, methods, walking));
+      done(todo[i], run_case(cases[todo[i]], selected, methods, walking));
     });
   }
   progress.finish();
 
   CampaignResult campaign;
-  campaign.empty = list.empty;
-  for (const auto& result : results) campaign.study_seconds += result->study_seconds;
-  for (std::size_t c = 0; c < selected.size(); ++c) {
-    ClaimResult total = summed_up(*selected[c], c, list, results);
-    std::set_intersection(methods.begin(), methods.end(), total.claim->methods.begin(), total.claim->methods.end(),
+  for (const Claim* claim : selected) {
+    ClaimResult& total = campaign.claims.emplace_back();
+    total.claim = claim;
+    std::set_intersection(methods.begin(), methods.end(), claim->methods.begin(), claim->methods.end(),
                           std::inserter(total.methods, total.methods.begin()));
-    prove(total);
-    campaign.claims.push_back(std::move(total));
   }
+  for (std::size_t i = 0; i < results.size(); ++i) add_up(cases[i], *results[i], campaign);
+  for (ClaimResult& total : campaign.claims) prove(total);
   return campaign;
 }
 

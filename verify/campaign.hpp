@@ -38,9 +38,16 @@ struct ClaimResult {
 // Adds the proof to the instances. A proof that does not go through makes the claim fail.
 void attach_proof(ClaimResult& result, std::optional<theory::Proof> proof);
 
+// The regions of a family.
+struct RegionTotal {
+  std::int64_t regions = 0;
+  std::int64_t searched = 0;  // those whose boundary a search filled in every possible way
+  std::int64_t empty = 0;     // those for which it found no filling: there moves have nothing to start from
+};
+
 struct CampaignResult {
   std::vector<ClaimResult> claims;
-  std::map<Family, std::int64_t> empty;
+  std::map<Family, RegionTotal> regions;
   double study_seconds = 0;  // spent on studies, summed over threads
   bool passed() const;
 };
@@ -58,7 +65,7 @@ struct Running {
 
 // Checks the claims on the cases. Apart from the seconds, the result depends neither on `running` nor on the order in
 // which cases end.
-CampaignResult run_campaign(const std::vector<const Claim*>& selected, const CaseList& list,
+CampaignResult run_campaign(const std::vector<const Claim*>& selected, const std::vector<RegionCase>& cases,
                             const std::set<Method>& methods, const Running& running);
 
 // The campaign in one line. Two runs may share a journal iff their lines are equal.

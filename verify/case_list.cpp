@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "theory/counts.hpp"
-
 namespace requad::verify {
 
 namespace {
@@ -46,46 +44,39 @@ void for_each_necklace(int k, Integer sum, Visit&& visit) {
   }
 }
 
-void add_pair(CaseList& list, RegionShape shape) {
-  // A region is empty only if the closed form and the parameter set both say so. If they differ, it is listed, and the
-  // claim fails.
-  if (theory::exact_count(shape) == 0 && theory::parameter_set(shape).empty()) {
-    ++list.empty[family_of(PairCase{shape})];
-  } else {
-    list.cases.push_back(PairCase{std::move(shape)});
-  }
-}
+using Cases = std::vector<RegionCase>;
 
-void add_regular(CaseList& list, theory::PairType type, program::Range lengths) {
+void add_regular(Cases& cases, theory::PairType type, program::Range lengths) {
   for (Integer length = lengths.first; length <= lengths.last; ++length)
-    add_pair(list, RegionShape::regular(type, length));
+    cases.push_back(PairCase{RegionShape::regular(type, length)});
 }
 
-void add_by_perimeter(CaseList& list, theory::PairType type, program::Range perimeters, bool with_regular) {
-  for (Integer perimeter = perimeters.first; perimeter <= perimeters.last; ++perimeter) {
+void add_by_perimeter(Cases& cases, theory::PairType type, program::Range perimeters, bool with_regular) {
+  const int k = type.side_count();
+  for (Integer perimeter = std::max<Integer>(perimeters.first, k); perimeter <= perimeters.last; ++perimeter) {
     if (perimeter % 2 != 0) continue;
-    for_each_necklace(type.side_count(), perimeter, [&](const std::vector<Integer>& sides) {
+    for_each_necklace(k, perimeter, [&](const std::vector<Integer>& sides) {
       RegionShape shape(type, theory::to_vector(sides));
-      if (with_regular || !shape.is_regular()) add_pair(list, std::move(shape));
+      if (with_regular || !shape.is_regular()) cases.push_back(PairCase{std::move(shape)});
     });
   }
 }
 
-void add_single_vertices(CaseList& list, program::Range perimeters) {
+void add_single_vertices(Cases& cases, program::Range perimeters) {
   for (int valence = 2; valence <= 12; ++valence) {
     for (const Integer length : {2, 3, 4, 6, 8})
-      list.cases.push_back(VertexCase{theory::IntegerVector::Constant(valence, length)});
+      cases.push_back(VertexCase{theory::IntegerVector::Constant(valence, length)});
     if (valence == 4 || valence > 9) continue;
     for (Integer perimeter = perimeters.first; perimeter <= std::min<Integer>(perimeters.last, 20); ++perimeter) {
       if (perimeter < valence) continue;
       for_each_necklace(valence, perimeter, [&](const std::vector<Integer>& sides) {
-        list.cases.push_back(VertexCase{theory::to_vector(sides)});
+        cases.push_back(VertexCase{theory::to_vector(sides)});
       });
     }
   }
 }
 
-void add_three_vertices(CaseList& list, program::Range perimeters) {
+void add_three_vertices(Cases& cases, program::Range perimeters) {
   // Valences and the largest perimeter. The number of fillings grows at least with the fourth power of the perimeter.
   const std::vector<std::pair<std::vector<int>, Integer>> kinds{
       {{3, 3, 3}, 20}, {{3, 3, 5}, 20}, {{3, 5, 5}, 18}, {{5, 5, 5}, 22}};
@@ -94,7 +85,7 @@ void add_three_vertices(CaseList& list, program::Range perimeters) {
     for (Integer perimeter = perimeters.first; perimeter <= std::min(perimeters.last, largest); ++perimeter) {
       if (perimeter < k || perimeter % 2 != 0) continue;
       for_each_necklace(k, perimeter, [&, valences = valences](const std::vector<Integer>& sides) {
-        list.cases.push_back(TripleCase{valences, theory::to_vector(sides)});
+        cases.push_back(TripleCase{valences, theory::to_vector(sides)});
       });
     }
   }
@@ -102,17 +93,17 @@ void add_three_vertices(CaseList& list, program::Range perimeters) {
 
 }  // namespace
 
-CaseList list_cases(const Ranges& ranges, const std::set<Family>& families) {
-  CaseList list;
+std::vector<RegionCase> list_cases(const Ranges& ranges, const std::set<Family>& families) {
+  Cases cases;
   const auto asked = [&families](Family family) { return families.count(family) > 0; };
-  if (asked(Family::regular_digon)) add_regular(list, theory::kDigon, ranges.digon);
-  if (asked(Family::regular_hexagon)) add_regular(list, theory::kHexagon, ranges.hexagon);
-  if (asked(Family::quad)) add_by_perimeter(list, theory::kQuad, ranges.quad_perimeter, true);
-  if (asked(Family::other_digon)) add_by_perimeter(list, theory::kDigon, ranges.other_perimeter, false);
-  if (asked(Family::other_hexagon)) add_by_perimeter(list, theory::kHexagon, ranges.other_perimeter, false);
-  if (asked(Family::single_vertex)) add_single_vertices(list, ranges.other_perimeter);
-  if (asked(Family::three_vertices)) add_three_vertices(list, ranges.other_perimeter);
-  return list;
+  if (asked(Family::regular_digon)) add_regular(cases, theory::kDigon, ranges.digon);
+  if (asked(Family::regular_hexagon)) add_regular(cases, theory::kHexagon, ranges.hexagon);
+  if (asked(Family::quad)) add_by_perimeter(cases, theory::kQuad, ranges.quad_perimeter, true);
+  if (asked(Family::other_digon)) add_by_perimeter(cases, theory::kDigon, ranges.other_perimeter, false);
+  if (asked(Family::other_hexagon)) add_by_perimeter(cases, theory::kHexagon, ranges.other_perimeter, false);
+  if (asked(Family::single_vertex)) add_single_vertices(cases, ranges.other_perimeter);
+  if (asked(Family::three_vertices)) add_three_vertices(cases, ranges.other_perimeter);
+  return cases;
 }
 
 }  // namespace requad::verify

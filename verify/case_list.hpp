@@ -1,8 +1,6 @@
 // The regions of a campaign, listed from ranges of sizes.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -19,19 +17,13 @@ struct Ranges {
   program::Range other_perimeter{4, 24};  // of non-regular digons and hexagons, and of regions without a pair
 };
 
-struct CaseList {
-  std::vector<RegionCase> cases;
-  std::map<Family, std::int64_t> empty;  // regions for a pair that have no configuration
-};
-
-// Lists each region once up to rotation of its sides, ordered by family, then by perimeter, then by sides.
-//   pairs            all regions of the ranges that have a configuration. Regions whose parameter set is empty and
-//                    whose exact count is 0 are not listed, but counted in `empty`.
+// Lists each region once up to rotation of its sides, ordered by family, then by perimeter, then by sides. A region is
+// listed whether it has a configuration or not: the studies find out. Nothing of theory/ chooses the regions.
+//   pairs            all regions of the ranges (a RegionShape has an even perimeter).
 //   single vertices  regular regions of sides 2, 3, 4, 6 and 8 for the valences 2 to 12 (4 is the regular grid), and
-//                    all regions of other_perimeter up to 20 for the valences 2 to 9 except 4, with or without a
-//                    configuration.
+//                    all regions of other_perimeter up to 20 for the valences 2 to 9 except 4.
 //   three vertices   all regions of other_perimeter for three vertices, each a v3 or a v5, up to perimeters between 18
-//                    and 22 that depend on the valences.
-CaseList list_cases(const Ranges& ranges, const std::set<Family>& families);
+//                    and 22 that depend on the valences; even perimeters, as for pairs.
+std::vector<RegionCase> list_cases(const Ranges& ranges, const std::set<Family>& families);
 
 }  // namespace requad::verify

@@ -28,15 +28,16 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
   try {
     const Study s = study(region, methods, progress);
     result.study_seconds = since(start);
-    for (const Claim* claim : selected) {
+    result.fillings = fillings_searched(s);
+    for (std::size_t i = 0; i < selected.size(); ++i) {
       const auto judging = Clock::now();
-      result.judgements.push_back(claim->judge_safely(s));
-      result.seconds.push_back(since(judging));
+      Judgement j = selected[i]->judge_safely(s);
+      if (j.applies) result.judgements.push_back({i, std::move(j), since(judging)});
     }
   } catch (const std::exception& error) {
     if (program::is_exhaustion(error)) throw;
-    result.judgements.assign(selected.size(), broken_off(error));
-    result.seconds.assign(selected.size(), 0);
+    result.judgements.clear();
+    for (std::size_t i = 0; i < selected.size(); ++i) result.judgements.push_back({i, broken_off(error), 0});
   }
   return result;
 }
@@ -70,14 +71,14 @@ mesh::Region region_from(const ordered_json& json) {
 
 }  // namespace
 
-// Leaves out the claims that do not apply to the region, which are most of them. What was predicted and found is
-// reported of a violation only.
+// What was predicted and found is reported of a violation only.
 ordered_json to_json(const CaseResult& result) {
-  ordered_json json{{"study_seconds", result.study_seconds}, {"claims", ordered_json::array()}};
-  for (std::size_t i = 0; i < result.judgements.size(); ++i) {
-    const Judgement& j = result.judgements[i];
-    if (!j.applies) continue;
-    ordered_json entry{{"claim", i}, {"seconds", result.seconds[i]}, {"checks", j.checks}};
+  ordered_json json{{"study_seconds", result.study_seconds}};
+  if (result.fillings) json["fillings"] = *result.fillings;
+  json["claims"] = ordered_json::array();
+  for (const ClaimJudgement& judged : result.judgements) {
+    const Judgement& j = judged.judgement;
+    ordered_json entry{{"claim", judged.claim}, {"seconds", judged.seconds}, {"checks", j.checks}};
     if (!j.row.is_null()) entry["row"] = j.row;
     if (j.violation) {
       entry["violation"] = {
@@ -93,12 +94,15 @@ ordered_json to_json(const CaseResult& result) {
 CaseResult case_result(const ordered_json& json, std::size_t claims) {
   CaseResult result;
   result.study_seconds = json.at("study_seconds").get<double>();
-  result.judgements.assign(claims, not_applicable());
-  result.seconds.assign(claims, 0);
+  if (json.contains("fillings")) result.fillings = integer_from(json["fillings"], 0, kMost);
   for (const ordered_json& entry : json.at("claims")) {
     const auto i = static_cast<std::size_t>(integer_from(entry.at("claim"), 0, static_cast<std::int64_t>(claims) - 1));
-    Judgement& j = result.judgements[i];
-    j.applies = true;
+    if (!result.judgements.empty() && i <= result.judgements.back().claim)
+      throw std::invalid_argument("the claims are not in order");
+    ClaimJudgement& judged = result.judgements.emplace_back();
+    judged.claim = i;
+    judged.seconds = entry.at("seconds").get<double>();
+    Judgement& j = judged.judgement;
     j.checks = integer_from(entry.at("checks"), 0, kMost);
     if (entry.contains("row")) j.row = entry["row"];
     if (entry.contains("violation")) {
@@ -109,7 +113,6 @@ CaseResult case_result(const ordered_json& json, std::size_t claims) {
       j.found = v.at("found").get<std::string>();
       if (!v.at("mesh").is_null()) j.violation->mesh = region_from(v["mesh"]);
     }
-    result.seconds[i] = entry.at("seconds").get<double>();
   }
   return result;
 }

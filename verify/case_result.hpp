@@ -3,15 +3,23 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "verify/claims/claims.hpp"
 
 namespace requad::verify {
 
+struct ClaimJudgement {
+  std::size_t claim = 0;  // its index among the claims of the campaign
+  Judgement judgement;
+  double seconds = 0;  // of judging
+};
+
 struct CaseResult {
-  std::vector<Judgement> judgements;  // one for each claim of the campaign
-  std::vector<double> seconds;        // of judging, likewise
+  std::vector<ClaimJudgement> judgements;  // by the claims that say something about the region, in their order
+  // The fillings that the search found with the irregular vertices of the region. Nothing if there was no search.
+  std::optional<std::int64_t> fillings;
   double study_seconds = 0;
 };
 

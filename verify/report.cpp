@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "verify/errata.hpp"
+#include "verify/sentences.hpp"
 
 namespace requad::verify {
 
@@ -66,6 +67,17 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
     json["errata"].push_back(
         {{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
   }
+  json["sentences"] = ordered_json::array();
+  for (const UndecidedSentence& s : undecided_sentences())
+    json["sentences"].push_back({{"where", s.where}, {"sentence", s.sentence}, {"reason", s.reason}});
+  json["regions"] = ordered_json::array();
+  for (const auto& [family, total] : result.regions) {
+    json["regions"].push_back({{"family", name(family)},
+                               {"range", range_of(family, ranges)},
+                               {"regions", total.regions},
+                               {"searched", total.searched},
+                               {"empty", total.empty}});
+  }
   for (const ClaimResult& c : result.claims) {
     ordered_json table = c.table;
     ordered_json methods = ordered_json::array();
@@ -100,8 +112,10 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
   for (const ClaimResult& c : result.claims) families.insert(c.claim->families.begin(), c.claim->families.end());
   for (const Family family : families) {
     out << range_of(family, ranges);
-    if (const auto it = result.empty.find(family); it != result.empty.end()) {
-      out << " (" << it->second << " more have no configuration, by count and by parameter set)";
+    if (const auto it = result.regions.find(family); it != result.regions.end()) {
+      const RegionTotal& total = it->second;
+      out << ": " << total.regions << " regions, " << total.searched << " searched";
+      if (total.searched > 0) out << ", " << total.empty << " of these empty";
     }
     out << '\n';
   }
@@ -119,6 +133,10 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << heading << std::left << std::setw(7) << c.claim->id << c.proof->range << ": " << c.proof->statement << '\n';
     heading = "";
   }
+  out << '\n'
+      << undecided_sentences().size()
+      << " sentences of the paper are outside the claims, since no check can decide them (--sentences has the "
+         "reasons)\n";
   for (const ClaimResult& c : result.claims) {
     if (!c.violation) continue;
     out << '\n' << c.claim->id << " fails";
@@ -168,6 +186,7 @@ std::string cell(const ordered_json& value) {
 
 // A table with a line of headings. All rows must have the same keys.
 std::string html_table(const ordered_json& rows) {
+  if (rows.empty()) return "";
   std::string html = "<table>\n<tr>";
   for (const auto& [key, value] : rows.front().items()) html += "<th>" + escaped(key) + "</th>";
   html += "</tr>\n";
@@ -220,7 +239,7 @@ body {
 h2 { margin-top: 2.5rem; border-top: 1px solid #ccc; padding-top: 1rem; }
 table { border-collapse: collapse; font-size: 0.9rem; display: block; overflow-x: auto; }
 th, td { border: 1px solid #ccc; padding: 0.15rem 0.5rem; text-align: right; }
-#errata ~ table td, #errata ~ table th { text-align: left; vertical-align: top; }
+#errata ~ table td, #errata ~ table th, #sentences ~ table td, #sentences ~ table th { text-align: left; vertical-align: top; }
 .holds { color: #1b6e3a; } .fails { color: #b3261e; } .undecided { color: #8a5a00; }
 nav a { display: inline-block; margin-right: 0.7rem; }
 </style>
@@ -236,7 +255,11 @@ the boundary with quads in every possible way, without any theorem.</p>
     html += "<a class=\"" + c["verdict"].get<std::string>() + "\" href=\"#" + c["id"].get<std::string>() + "\">" +
             c["id"].get<std::string>() + "</a>\n";
   }
-  html += "<a href=\"#errata\">errata</a>\n</nav>\n";
+  html += "<a href=\"#errata\">errata</a>\n<a href=\"#sentences\">sentences</a>\n</nav>\n";
+  html +=
+      "<p>The regions of each family. In an empty region the search finds no filling, so moves have nothing to start "
+      "from.</p>\n" +
+      html_table(report["regions"]);
   for (const auto& c : report["claims"]) {
     const std::string verdict_text = c["verdict"];
     html += "<section>\n<h2 id=\"" + c["id"].get<std::string>() + "\">" + c["id"].get<std::string>() +
@@ -259,7 +282,10 @@ the boundary with quads in every possible way, without any theorem.</p>
   html +=
       "<section>\n<h2 id=\"errata\">Errata</h2>\n<p>Slips in the text that the program found, each with the smallest "
       "region that shows it.</p>\n" +
-      html_table(report["errata"]) + "</section>\n";
+      html_table(report["errata"]) +
+      "</section>\n<section>\n<h2 id=\"sentences\">Sentences without a check</h2>\n<p>What the paper says and no check "
+      "can decide, each with the reason.</p>\n" +
+      html_table(report["sentences"]) + "</section>\n";
   return html + "</body>\n</html>\n";
 }
 

@@ -16,14 +16,18 @@ std::string range_text(const Ranges& ranges, const std::set<Family>& families);
 //   {"claims": [{"id", "statement", "verdict", "instances", "range", "methods", "seconds", "counterexample", "proof",
 //                "table"}, ...],
 //    "passed": bool,
-//    "errata": [{"where", "written", "found", "instance"}, ...]}
+//    "errata": [{"where", "written", "found", "instance"}, ...],
+//    "sentences": [{"where", "sentence", "reason"}, ...],
+//    "regions": [{"family", "range", "regions", "searched", "empty"}, ...]}
+// Of a family's regions, those are searched whose boundary a search filled in every possible way, and those of them are
+// empty that have no filling.
 // "proof" is null or
 //   {"for", "statement", "premises", "steps": [{"text", "computed", "holds"}, ...], "proved"}
 // A claim without an instance is undecided. If the check of a claim makes no table rows, its table has a row for each
 // family.
 nlohmann::ordered_json report_json(const CampaignResult& result, const Ranges& ranges);
 
-// The report as text: a line for each claim, then what is proved for every size, then the violations.
+// The report as text: the regions, a line for each claim, then what is proved for every size, then the violations.
 std::string report_text(const CampaignResult& result, const Ranges& ranges);
 
 // A proof in full: its premises and its steps, each of them argued or computed.

@@ -25,8 +25,10 @@ void fuzz::try_input(std::string_view text) {
   if (!accepts(open)) return;
   auto results = std::move(journal->results());
   for (const auto& [index, result] : results) {
-    require(index < kCases && result.judgements.size() == kClaims, "a result of nothing");
-    for (const verify::Judgement& j : result.judgements) {
+    require(index < kCases && result.judgements.size() <= kClaims, "a result of nothing");
+    for (const verify::ClaimJudgement& judged : result.judgements) {
+      const verify::Judgement& j = judged.judgement;
+      require(judged.claim < kClaims, "a claim of nothing");
       if (!j.violation || !j.violation->mesh) continue;
       const mesh::Region& region = *j.violation->mesh;
       require(mesh::validate(region.mesh).empty() && region.mesh.is_live(region.root), "the mesh is not valid");

@@ -24,12 +24,13 @@ std::string without_seconds(const std::string& json) {
 
 CaseResult some_result(int number) {
   CaseResult r;
-  r.judgements.resize(2);
-  r.seconds = {0.25, 0};
+  r.judgements.resize(1);
+  r.judgements[0].claim = 1;
+  r.judgements[0].seconds = 0.25;
+  r.fillings = number;
   r.study_seconds = 1;
-  r.judgements[0].checks = number;
-  r.judgements[0].row = {{"sides", {number, 2}}, {"text", "a \"b\"\n"}};
-  r.judgements[1].applies = false;
+  r.judgements[0].judgement.checks = number;
+  r.judgements[0].judgement.row = {{"sides", {number, 2}}, {"text", "a \"b\"\n"}};
   return r;
 }
 
@@ -51,29 +52,34 @@ const std::string kRun =
 
 TEST_CASE("JSON gives results back unchanged", "[journal]") {
   CaseResult r = some_result(7);
-  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
-  r.judgements[0].predicted = "6 configurations";
-  r.judgements[0].found = "5 configurations";
+  r.judgements[0].judgement.violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  r.judgements[0].judgement.predicted = "6 configurations";
+  r.judgements[0].judgement.found = "5 configurations";
   const CaseResult back = case_result(nlohmann::ordered_json::parse(to_json(r).dump()), 2);
-  REQUIRE(back.judgements.size() == 2);
-  CHECK(back.judgements[0].row.dump() == r.judgements[0].row.dump());
-  CHECK(back.judgements[0].checks == 7);
-  CHECK(back.judgements[0].violation->what == "what");
-  CHECK(back.judgements[0].violation->configuration == "(1,2)");
-  CHECK(back.judgements[0].violation->move == "open");
-  CHECK(back.judgements[0].predicted == "6 configurations");
-  CHECK(back.judgements[0].found == "5 configurations");
-  CHECK(back.judgements[0].violation->mesh->mesh == tests::grid(3, 2).mesh);
-  CHECK(back.judgements[0].violation->mesh->root == tests::grid(3, 2).root);
-  CHECK_FALSE(back.judgements[1].applies);
-  CHECK(back.seconds == r.seconds);
-  CHECK_THROWS(case_result(to_json(r), 0));
+  REQUIRE(back.judgements.size() == 1);
+  CHECK(back.judgements[0].claim == 1);
+  CHECK(back.judgements[0].seconds == 0.25);
+  CHECK(back.fillings == 7);
+  CHECK(back.judgements[0].judgement.row.dump() == r.judgements[0].judgement.row.dump());
+  CHECK(back.judgements[0].judgement.checks == 7);
+  CHECK(back.judgements[0].judgement.violation->what == "what");
+  CHECK(back.judgements[0].judgement.violation->configuration == "(1,2)");
+  CHECK(back.judgements[0].judgement.violation->move == "open");
+  CHECK(back.judgements[0].judgement.predicted == "6 configurations");
+  CHECK(back.judgements[0].judgement.found == "5 configurations");
+  CHECK(back.judgements[0].judgement.violation->mesh->mesh == tests::grid(3, 2).mesh);
+  CHECK(back.judgements[0].judgement.violation->mesh->root == tests::grid(3, 2).root);
+  CHECK_THROWS(case_result(to_json(r), 1));
+  r.fillings.reset();
+  CHECK_FALSE(case_result(to_json(r), 2).fillings.has_value());
+  r.judgements.push_back(r.judgements[0]);
+  CHECK_THROWS(case_result(to_json(r), 2));  // one claim twice
 }
 
 TEST_CASE("JSON that is no result is refused, at a cost bounded by its size", "[journal]") {
   using nlohmann::ordered_json;
   CaseResult r = some_result(7);
-  r.judgements[0].violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
+  r.judgements[0].judgement.violation = Violation{"what", "(1,2)", "open", tests::grid(3, 2)};
   const ordered_json good = to_json(r);
   REQUIRE_NOTHROW(case_result(good, 2));
   const std::string mesh = "/claims/0/violation/mesh";
@@ -106,7 +112,7 @@ TEST_CASE("a journal keeps whole lines, drops a torn one, and knows its run", "[
   {
     Journal journal(path, "run a", 10, 2);
     CHECK(journal.results().size() == 2);
-    CHECK(journal.results().at(3).judgements[0].checks == 3);
+    CHECK(journal.results().at(3).judgements[0].judgement.checks == 3);
   }
   CHECK(slurp(path) == whole);
   CHECK(refusal(path, "run b") == "--journal: " + path + ": line 1: it belongs to another run: run a");

@@ -1,11 +1,13 @@
 // The library of requad-verify: claims hold on small ranges, and each claim fails if its facts are falsified.
 #include "enumerate/generators.hpp"
+#include "enumerate/search/search.hpp"
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/theory/integer_vector.hpp"
 #include "verify/errata.hpp"
 #include "verify/report.hpp"
+#include "verify/sentences.hpp"
 
 using namespace requad;
 using namespace requad::verify;
@@ -45,6 +47,29 @@ Ranges small_ranges() {
   return r;
 }
 
+// Every non-regular hexagon of this perimeter, once up to rotation.
+template <class Visit>
+void enumerate_hexagons(int perimeter, Visit&& visit) {
+  std::set<std::vector<int>> seen;
+  std::vector<int> s(6, 1);
+  const auto fill = [&](auto&& self, std::size_t at, int left) -> void {
+    if (at == 5) {
+      s[5] = left;
+      std::vector<int> least = s;
+      for (std::size_t shift = 1; shift < 6; ++shift) {
+        std::vector<int> rotated = s;
+        std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(shift), rotated.end());
+        least = std::min(least, rotated);
+      }
+      if (least.front() < *std::max_element(least.begin(), least.end()) && seen.insert(least).second)
+        visit(theory::to_vector({least.begin(), least.end()}));
+      return;
+    }
+    for (int x = 1; left - x >= 5 - static_cast<int>(at); ++x) s[at] = x, self(self, at + 1, left - x);
+  };
+  fill(fill, 0, perimeter);
+}
+
 CampaignResult run_small(int threads) {
   std::vector<const Claim*> all;
   std::set<Family> families;
@@ -71,6 +96,59 @@ TEST_CASE("every claim holds on small ranges, whatever the number of threads", "
     return report_json(r, small_ranges());
   };
   CHECK(without_seconds(one) == without_seconds(run_small(2)));
+}
+
+TEST_CASE("regions without a configuration are searched, counted, and judged by what the search finds", "[verify]") {
+  const std::set<Method> moves{Method::moves};
+  // By hand: a digon with a pair has two sides of at least 3, a 3-5 region has opposite sides that differ, and no side
+  // of a hexagon with a pair is 1.
+  for (const PairStudy& s : {study_of(theory::kDigon, sides({1, 7})), study_of(theory::kQuad, sides({3, 3, 3, 3})),
+                             study_of(theory::kHexagon, sides({1, 1, 1, 1, 1, 5}))}) {
+    const std::string id = s.shape.type() == theory::kDigon ? "T2" : s.shape.type() == theory::kQuad ? "T4" : "T3";
+    REQUIRE(s.searched);
+    CHECK(s.searched->empty());
+    CHECK(fillings_searched(s) == 0);
+    for (const RegionVerdict& v : judge_region(s, {"M1", "N1", "N2", "R1", "L8", "B2"})) FAIL(v.claim->id);
+    CHECK(claim(id).judge(s).row.is_null());
+    fails(id, s, [](PairStudy& x) { x.searched->push_back("a filling"); });
+    // Nothing but a search finds out that there is none.
+    const PairStudy by_moves = study_pair(s.shape, moves);
+    CHECK_FALSE(claim(id).judge(by_moves).applies);
+    CHECK_FALSE(fillings_searched(by_moves).has_value());
+  }
+  const CampaignResult campaign = run_small(1);
+  std::int64_t hexagons = 0, empty = 0;
+  for (int perimeter = 6; perimeter <= 16; perimeter += 2) {
+    // All sequences of six sides, up to rotation, and the counts of their fillings.
+    enumerate_hexagons(perimeter, [&](const theory::IntegerVector& s) {
+      ++hexagons;
+      if (enumerate::search(enumerate::search_problem({s.begin(), s.end()}, {5, 5}), {}, {}).count == 0) ++empty;
+    });
+  }
+  const RegionTotal& total = campaign.regions.at(Family::other_hexagon);
+  CHECK(total.regions == hexagons);
+  CHECK(total.searched == hexagons);
+  CHECK(total.empty == empty);
+  CHECK(campaign.regions.at(Family::regular_digon).empty == 0);
+  const auto json = report_json(campaign, small_ranges());
+  for (const auto& family : json["regions"]) {
+    if (family["family"] == "non-regular hexagons") CHECK(family["empty"] == empty);
+  }
+  const std::string line = "non-regular hexagons of perimeter 4..16: " + std::to_string(hexagons) + " regions, " +
+                           std::to_string(hexagons) + " searched, " + std::to_string(empty) + " of these empty\n";
+  CHECK(report_text(campaign, small_ranges()).find(line) != std::string::npos);
+}
+
+TEST_CASE("sentences without a check have a place and a reason", "[verify]") {
+  const auto json = report_json(CampaignResult{}, small_ranges());
+  REQUIRE(json["sentences"].size() == undecided_sentences().size());
+  REQUIRE(!undecided_sentences().empty());
+  const std::string html = report_html(CampaignResult{}, small_ranges());
+  for (const auto& s : json["sentences"]) {
+    for (const char* key : {"where", "sentence", "reason"}) CHECK(!s[key].get<std::string>().empty());
+    CHECK(sentences_text().find(s["reason"].get<std::string>()) != std::string::npos);
+  }
+  CHECK(html.find("<h2 id=\"sentences\">") != std::string::npos);
 }
 
 TEST_CASE("the report has the keys that others rely on", "[verify]") {

@@ -20,7 +20,7 @@ Judgement judge_no_cancelling(const PairStudy& s) {
     const std::vector<int> e = mesh::side_lengths(node.region);
     return e[0] == e[2] && e[1] == e[3] ? "opposite sides are equal: a regular grid fits" : "";
   });
-  if (s.searched) {
+  if (s.searched && !s.searched->empty()) {
     enumerate::SearchLimits limits;
     limits.threads = 1;
     const auto regular =

@@ -12,6 +12,7 @@
 #include "verify/certificate.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/report.hpp"
+#include "verify/sentences.hpp"
 
 namespace requad::verify {
 
@@ -96,15 +97,16 @@ Ranges ranges_of(const Options& options, const std::set<Method>& methods) {
   return ranges;
 }
 
-CampaignResult run_selected(const Options& options, const std::vector<const Claim*>& selected, const CaseList& list,
-                            const Ranges& ranges, const std::set<Method>& methods, Processes& processes) {
+CampaignResult run_selected(const Options& options, const std::vector<const Claim*>& selected,
+                            const std::vector<RegionCase>& cases, const Ranges& ranges, const std::set<Method>& methods,
+                            Processes& processes) {
   Running running;
   running.threads = options.threads();
   running.quiet = options.quiet();
   std::optional<Journal> journal;
   if (options.has("journal")) {
     const std::string run = campaign_name(program::version_and_build(REQUAD_VERSION), selected, ranges, methods);
-    journal.emplace(options.text("journal"), run, list.cases.size(), selected.size());
+    journal.emplace(options.text("journal"), run, cases.size(), selected.size());
     running.journal = &*journal;
   }
   if (!processes.alone()) {
@@ -112,7 +114,7 @@ CampaignResult run_selected(const Options& options, const std::vector<const Clai
       processes.hand_out(todo, selected.size(), done);
     };
   }
-  return run_campaign(selected, list, methods, running);
+  return run_campaign(selected, cases, methods, running);
 }
 
 void write_reports(const Options& options, const CampaignResult& result, const Ranges& ranges) {
@@ -132,10 +134,16 @@ int exit_code(const CampaignResult& result) {
 }
 
 int campaign(const Options& options, Processes& processes) {
-  if (!processes.leads() && (options.has("list") || options.has("proofs"))) return program::kDone;
+  const bool prints_only = options.has("list") || options.has("proofs") || options.has("sentences");
+  if (!processes.leads() && prints_only) return program::kDone;
   if (options.has("list")) {
     options.allow_only("--list", {"list"});
     print_claims();
+    return program::kDone;
+  }
+  if (options.has("sentences")) {
+    options.allow_only("--sentences", {"sentences"});
+    std::cout << sentences_text();
     return program::kDone;
   }
   if (options.has("proofs")) options.allow_only("--proofs", {"proofs", "claim"});
@@ -149,19 +157,19 @@ int campaign(const Options& options, Processes& processes) {
   const Ranges ranges = ranges_of(options, methods);
   std::set<Family> families;
   for (const Claim* claim : selected) families.insert(claim->families.begin(), claim->families.end());
-  const CaseList list = list_cases(ranges, families);
+  const std::vector<RegionCase> cases = list_cases(ranges, families);
   if (!processes.leads()) {
-    processes.work([&](std::size_t i) { return run_case(list.cases[i], selected, methods); });
+    processes.work([&](std::size_t i) { return run_case(cases[i], selected, methods); });
     return program::kDone;
   }
   // Only the process that leads writes files.
   options.require_outputs();
   if (options.has("certificate")) program::require_folder(options.text("certificate"));
-  const CampaignResult result = run_selected(options, selected, list, ranges, methods, processes);
+  const CampaignResult result = run_selected(options, selected, cases, ranges, methods, processes);
   write_reports(options, result, ranges);
   write_violations(result, failures);
   if (options.has("certificate")) {
-    const int written = write_certificates(options.text("certificate"), list.cases, options.quiet());
+    const int written = write_certificates(options.text("certificate"), cases, options.quiet());
     if (!options.quiet() && !options.on_stdout("json"))
       std::cout << written << " certificates in " << options.text("certificate") << '\n';
   }
@@ -213,6 +221,9 @@ program::Command campaign_command(Processes& processes) {
               program::output("html", "FILE|-", "write the report as one HTML page that needs no other file"),
               program::flag(
                   "list", "print the claims, with what each check compares and what makes it fail, and check nothing"),
+              program::flag("sentences",
+                            "print the sentences of the paper that no check can decide, with the reasons, and check "
+                            "nothing"),
               program::flag("proofs",
                             "print the proofs for all sizes, step by step, of the claims that linear algebra decides, "
                             "and check no region"),

@@ -25,6 +25,14 @@ Family family_of(const Study& study) {
   return std::holds_alternative<VertexStudy>(study) ? Family::single_vertex : Family::three_vertices;
 }
 
+std::optional<std::int64_t> fillings_searched(const Study& study) {
+  if (const auto* triple = std::get_if<TripleStudy>(&study))
+    return triple->searched ? std::optional(std::ssize(triple->fillings)) : std::nullopt;
+  const auto* const pair = std::get_if<PairStudy>(&study);
+  const std::optional<Signatures>& found = pair != nullptr ? pair->searched : std::get<VertexStudy>(study).searched;
+  return found ? std::optional(std::ssize(*found)) : std::nullopt;
+}
+
 int PairStudy::pairs_predicted() const {
   if (map.nodes.empty() && walked) return static_cast<int>(walked->predicted);
   return static_cast<int>(std::count_if(map.nodes.begin(), map.nodes.end(),
@@ -73,8 +81,8 @@ VertexStudy study_vertex(const VertexCase& region, const std::set<Method>& metho
 }
 
 TripleStudy study_triple(const TripleCase& region, const std::set<Method>& methods) {
-  TripleStudy s{region, {}, {}, {}};
-  if (methods.count(Method::search) == 0) return s;
+  TripleStudy s{region, methods.count(Method::search) > 0, {}, {}, {}};
+  if (!s.searched) return s;
   const std::vector<int>& valences = region.valences;
   for (auto& [signature, filling] : fillings(region.sides, valences)) s.fillings.push_back(std::move(filling));
   if (valences.front() == 3 && valences.back() == 5)

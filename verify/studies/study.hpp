@@ -5,6 +5,7 @@
 // uses neither theory nor moves (enumerate/search/). The claims (claims/claims.hpp) only compare these facts.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,7 +60,8 @@ struct VertexStudy {
 
 struct TripleStudy {
   TripleCase region;
-  // Found by a search. All are empty if that is not asked for.
+  bool searched = false;  // if not, all of these are empty
+  // Found by a search.
   std::vector<mesh::Region> fillings;  // with the three vertices
   Signatures with_one;                 // with the one vertex that remains when a v3 and a v5 cancel
   Signatures with_two;                 // with the two vertices that remain when two equal ones merge
@@ -67,6 +69,9 @@ struct TripleStudy {
 
 using Study = std::variant<PairStudy, VertexStudy, TripleStudy>;
 Family family_of(const Study& study);
+// The number of fillings that the search found with the irregular vertices of the region; nothing if there was no
+// search.
+std::optional<std::int64_t> fillings_searched(const Study& study);
 
 // Studies a region by these methods. A walk calls `progress` with the number of configurations that it has visited.
 // Throws std::logic_error if the program contradicts itself. Moves take O(nodes * moves * mesh) time. A walk takes
