@@ -1,8 +1,10 @@
 #include "verify/certificate.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 
+#include "mesh/program/checksum.hpp"
 #include "mesh/program/errors.hpp"
 #include "mesh/program/outputs.hpp"
 #include "mesh/program/progress.hpp"
@@ -71,6 +73,28 @@ std::string script_text(const mesh::Region& region, const std::vector<mesh::Basi
   return text;
 }
 
+// "mesh 0 pair (1,1) d1 1 d2 1 p 1 strips 2 2 vertices 20 faces 13"
+std::string head_of_mesh(theory::PairType type, std::size_t i, const enumerate::FoundNode& node) {
+  const theory::Configuration& c = node.reading.configuration;
+  return "mesh " + std::to_string(i) + (c.merged() ? " merged " : " pair ") + theory::label(type, c) + " d1 " +
+         std::to_string(c.d1()) + " d2 " + std::to_string(c.d2()) + " p " + std::to_string(c.p) + " strips " +
+         theory::joined(c.parameters.e, " ") + " vertices " + std::to_string(node.region.mesh.vertex_count()) +
+         " faces " + std::to_string(node.region.mesh.face_count()) + "\n";
+}
+
+// d1, d2 and p of a labelling at one end of a move. The merged vertex has the p of the other end.
+std::string end_of_move(const theory::Configuration& labelling, const theory::Configuration& other) {
+  const int p = labelling.merged() ? other.p : labelling.p;
+  return std::to_string(labelling.d1()) + " " + std::to_string(labelling.d2()) + " " + std::to_string(p);
+}
+
+// "edge 0 1 step open from 1 1 1 to 2 2 1 operations 2". Precondition: the move was made, and its labellings were read.
+std::string head_of_edge(const enumerate::FoundMove& move) {
+  return "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " + mesh::name(move.move.step) +
+         " from " + end_of_move(*move.before, *move.after) + " to " + end_of_move(*move.after, *move.before) +
+         " operations " + std::to_string(move.script.size()) + "\n";
+}
+
 }  // namespace
 
 std::string certificate_text(const PairStudy& s) {
@@ -80,49 +104,74 @@ std::string certificate_text(const PairStudy& s) {
     const auto& node = s.found.nodes[i];
     const bool holds_pair = s.found.holds_pair(static_cast<int>(i));
     ++(holds_pair ? pairs : merged);
-    meshes += "mesh " + std::to_string(i) + (holds_pair ? " pair " : " merged ") +
-              theory::label(s.shape.type(), node.reading.configuration) + " vertices " +
-              std::to_string(node.region.mesh.vertex_count()) + " faces " +
-              std::to_string(node.region.mesh.face_count()) + "\n" + mesh_text(node.region);
+    meshes += head_of_mesh(s.shape.type(), i, node) + mesh_text(node.region);
   }
   // Writes one direction of each edge. A self-loop is met in both directions; every other one is written.
   std::map<int, bool> second_half;
   for (const enumerate::FoundMove& move : s.found.moves) {
-    if (move.to < move.from) continue;  // refused, or the other direction
+    if (move.to < move.from || !move.before || !move.after) continue;  // refused, or the other direction
     if (move.to == move.from) {
       bool& second = second_half[move.from];
       second = !second;
       if (!second) continue;
     }
     ++edge_count;
-    edges += "edge " + std::to_string(move.from) + " " + std::to_string(move.to) + " step " +
-             mesh::name(move.move.step) + " operations " + std::to_string(move.script.size()) + "\n" +
-             script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
+    edges += head_of_edge(move) + script_text(s.found.nodes[static_cast<std::size_t>(move.from)].region, move.script);
   }
-  return "requad certificate 1\npair " + s.shape.type().name() + "\nsides " + theory::joined(s.shape.sides(), " ") +
+  return "requad certificate 2\npair " + s.shape.type().name() + "\nsides " + theory::joined(s.shape.sides(), " ") +
          "\nconfigurations " + std::to_string(pairs) + "\nmerged " + std::to_string(merged) + "\nedges " +
          std::to_string(edge_count) + "\n" + meshes + edges + "end\n";
 }
 
-int write_certificates(const std::string& folder, const std::vector<RegionCase>& cases, bool quiet) {
+namespace {
+
+// A family that is certified, by its name in the MANIFEST.
+struct CertifiedFamily {
+  Family family;
+  const char* name;  // and what its range is of
+  program::Range Ranges::*range;
+};
+constexpr std::array<CertifiedFamily, 5> kCertifiedFamilies{{
+    {Family::regular_digon, "regular-digons sides", &Ranges::digon},
+    {Family::regular_hexagon, "regular-hexagons sides", &Ranges::hexagon},
+    {Family::quad, "3-5-regions perimeters", &Ranges::quad_perimeter},
+    {Family::other_digon, "other-digons perimeters", &Ranges::other_perimeter},
+    {Family::other_hexagon, "other-hexagons perimeters", &Ranges::other_perimeter},
+}};
+
+}  // namespace
+
+int write_certificates(const std::string& folder, const Ranges& ranges, const std::set<Family>& families, bool quiet) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw program::UsageError(folder + ": " + error.message());
+  std::string manifest = "requad manifest 2\n";
+  std::set<Family> certified;
+  for (const CertifiedFamily& f : kCertifiedFamilies) {
+    if (families.count(f.family) == 0) continue;
+    certified.insert(f.family);
+    const program::Range& range = ranges.*f.range;
+    manifest += "family " + std::string(f.name) + " " + std::to_string(range.first) + ".." +
+                std::to_string(range.last) + "\n";
+  }
+  const std::vector<RegionCase> cases = list_cases(ranges, certified);
   program::Progress progress("certificates", static_cast<std::int64_t>(cases.size()), quiet);
   program::Outputs outputs;
-  std::string manifest;
+  std::string entries;
   int written = 0;
   for (const RegionCase& c : cases) {
     progress.advance();
-    const auto* const pair = std::get_if<PairCase>(&c);
-    if (pair == nullptr) continue;
-    const PairStudy s = study_pair(pair->shape, {Method::moves});
-    if (s.found.nodes.empty()) continue;
+    const PairStudy s = study_pair(std::get<PairCase>(c).shape, {Method::moves});
+    if (s.pairs_found() == 0) continue;
     const std::string file = s.shape.type().name() + "-" + theory::joined(s.shape.sides(), "-") + ".txt";
-    outputs.add((std::filesystem::path(folder) / file).string(), certificate_text(s));
-    manifest += file + "\n";
+    const std::string text = certificate_text(s);
+    program::Checksum checksum;
+    checksum.add(text);
+    entries += file + " " + checksum.text() + "\n";
+    outputs.add((std::filesystem::path(folder) / file).string(), text);
     ++written;
   }
+  manifest += "certificates " + std::to_string(written) + "\n" + entries + "end\n";
   outputs.add((std::filesystem::path(folder) / "MANIFEST").string(), manifest);
   outputs.commit();
   return written;

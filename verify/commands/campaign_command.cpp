@@ -169,7 +169,7 @@ int campaign(const Options& options, Processes& processes) {
   write_reports(options, result, ranges);
   write_violations(result, failures);
   if (options.has("certificate")) {
-    const int written = write_certificates(options.text("certificate"), cases, options.quiet());
+    const int written = write_certificates(options.text("certificate"), ranges, families, options.quiet());
     if (!options.quiet() && !options.on_stdout("json"))
       std::cout << written << " certificates in " << options.text("certificate") << '\n';
   }
