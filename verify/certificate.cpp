@@ -151,8 +151,8 @@ int write_certificates(const std::string& folder, const Ranges& ranges, const st
     if (families.count(f.family) == 0) continue;
     certified.insert(f.family);
     const program::Range& range = ranges.*f.range;
-    manifest += "family " + std::string(f.name) + " " + std::to_string(range.first) + ".." +
-                std::to_string(range.last) + "\n";
+    manifest +=
+        "family " + std::string(f.name) + " " + std::to_string(range.first) + ".." + std::to_string(range.last) + "\n";
   }
   const std::vector<RegionCase> cases = list_cases(ranges, certified);
   program::Progress progress("certificates", static_cast<std::int64_t>(cases.size()), quiet);

@@ -21,7 +21,8 @@
 //   0 1 8 19                              faces, counter-clockwise; vertices 0, 1, ... are the boundary, side 1 from 0
 //   ...                                   the label, and the canonical labelling: theory/configurations.hpp
 //   edge 0 1 step open from 1 1 1 to 2 2 1 operations 2
-//                                         from mesh 0 to mesh 1, and the d1, d2 and p of the labellings before and after
+//                                         from mesh 0 to mesh 1, and the d1, d2 and p of the labellings before and
+//                                         after
 //   flip 8 9 13 14                        the edge 8-9 becomes 13-14
 //   collapse 8 9 10 13                    the face 8 9 10 13 goes, 10 becomes 8
 //   split 9 8 10 21                       along 8 - 9 - 10: in the faces counter-clockwise from the one left of 9 -> 8

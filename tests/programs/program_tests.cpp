@@ -199,7 +199,7 @@ TEST_CASE("requad-verify reports, and exit code 3 means that there was no instan
   CHECK(nlohmann::json::parse(none.out)["claims"][0]["verdict"] == "undecided");
 }
 
-TEST_CASE("certificates are checked again, and rejected after any relevant change", "[programs]") {
+TEST_CASE("certificates are checked again", "[programs]") {
   const Outcome made = call("verify",
                             "--claim T2 --claim T3 --claim T4 --digon 3..6 --hexagon 3..4 --quad-perimeter 10..14 "
                             "--other-perimeter 4..12 --certificate proof --quiet");
@@ -207,56 +207,17 @@ TEST_CASE("certificates are checked again, and rejected after any relevant chang
   const Outcome held = call("verify", "check proof");
   CHECK(held.code == 0);
   CHECK(held.out.find("certificates hold") != std::string::npos);
+  // What else is wrong with certificates: tests/verify/check/.
+  tests::spill(scratch() / "proof" / "3-3-4-4.txt", "requad certificate 2\n");
+  const Outcome cut = call("verify", "check proof");
+  CHECK(cut.code == 1);
+  CHECK(cut.err == "requad-verify-check: 3-3-4-4.txt:2: the file ends too early\n");
+  fs::remove(scratch() / "proof" / "3-3-4-4.txt");
+  const Outcome missing = call("verify", "check proof");
+  CHECK(missing.code == 2);
+  CHECK(missing.err == "requad-verify-check: proof/3-3-4-4.txt cannot be read\n");
   CHECK(call("verify", "check no-such-folder").code == 2);
   CHECK(call("verify", "check").code == 2);
-
-  // Each digit of a certificate is replaced by another one, and each line is left out or repeated, one at a time.
-  const fs::path file = scratch() / "proof" / "3-3-4-4.txt";
-  const std::string good = slurp(file);
-  REQUIRE(!good.empty());
-  std::ofstream(scratch() / "proof" / "MANIFEST") << "3-3-4-4.txt\n";
-  int changes = 0, accepted = 0;
-  const auto try_text = [&](const std::string& text) {
-    std::ofstream(file) << text;
-    ++changes;
-    const Outcome outcome = call("verify", "check proof");
-    if (outcome.code == 0) {
-      ++accepted;
-      UNSCOPED_INFO("accepted: " << text);
-    } else {
-      CHECK(outcome.code == 1);
-      CHECK(tests::line_count(outcome.err) == 1);
-    }
-  };
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    if (good[i] < '0' || good[i] > '9') continue;
-    // Labels are names for readers. They only have to differ.
-    const std::size_t line = good.rfind('\n', i) + 1;
-    const std::size_t open = good.find('(', line);
-    if (good.compare(line, 4, "mesh") == 0 && open < i && i < good.find(')', line)) continue;
-    std::string text = good;
-    text[i] = good[i] == '9' ? '8' : static_cast<char>(good[i] + 1);
-    try_text(text);
-  }
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < good.size();) {
-    const std::size_t end = good.find('\n', at) + 1;
-    lines.push_back(good.substr(at, end - at));
-    at = end;
-  }
-  for (std::size_t skip = 0; skip < lines.size(); ++skip) {
-    for (const int times : {0, 2}) {
-      std::string text;
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (int t = i == skip ? times : 1; t > 0; --t) text += lines[i];
-      }
-      try_text(text);
-    }
-  }
-  CHECK(changes > 200);
-  CHECK(accepted == 0);
-  std::ofstream(file) << good;
-  CHECK(call("verify", "check proof").code == 0);
 }
 
 TEST_CASE("requad-figures writes the files that it lists", "[programs]") {

@@ -65,8 +65,8 @@ class Certificate {
     const Words& head = lines_.next("mesh", 15 + k);
     require(number(head[1]) == i, "the meshes are not numbered 0, 1, 2, ...");
     require(head[2] == "pair" || head[2] == "merged", "a mesh neither holds the pair nor is merged");
-    require(head[4] == "d1" && head[6] == "d2" && head[8] == "p" && head[10] == "strips" && head[11 + k] == "vertices" &&
-                head[13 + k] == "faces",
+    require(head[4] == "d1" && head[6] == "d2" && head[8] == "p" && head[10] == "strips" &&
+                head[11 + k] == "vertices" && head[13 + k] == "faces",
             "a mesh has a wrong head");
     const bool is_pair = head[2] == "pair";
     const std::string name(head[3]);
@@ -107,7 +107,8 @@ class Certificate {
     for (int i = 0; i < operations; ++i) {
       const Operation operation = read_operation();
       require(step != Step::open || operation.kind == Operation::Kind::split, "an open move does not only split");
-      require(step != Step::close || operation.kind == Operation::Kind::collapse, "a close move does not only collapse");
+      require(step != Step::close || operation.kind == Operation::Kind::collapse,
+              "a close move does not only collapse");
       disk.apply(operation);
       if (i + 1 < operations) transport.pass(disk);
     }

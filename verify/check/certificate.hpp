@@ -4,7 +4,8 @@
 //     and there are as many as the recurrence over holes counts (fillings.hpp).
 //   - Their number is the one of the closed form of the region's family (region.hpp).
 //   - Their labels are those that their separatrices have (labels.hpp).
-//   - The edges are all moves of all configurations, each once and each a single move (moves.hpp): its script leads from
+//   - The edges are all moves of all configurations, each once and each a single move (moves.hpp): its script leads
+//   from
 //     the one mesh to the other by legal operations and changes the label as the step says.
 //   - The moves connect all meshes.
 #pragma once
@@ -22,8 +23,8 @@ struct Counts {
   long long edges = 0;
 };
 
-// Checks the certificate of a region; of any region if `expected` is null. Throws Rejected if it does not hold. Linear in
-// the length of the file, beside the count.
+// Checks the certificate of a region; of any region if `expected` is null. Throws Rejected if it does not hold. Linear
+// in the length of the file, beside the count.
 Counts check_certificate(Lines& lines, const Region* expected, FillingCounter& counter);
 
 // Throws Rejected unless the closed form gives this number, which is what the recurrence counts.

@@ -82,6 +82,8 @@ Disk::Star Disk::star(int v) const {
     const Face& f = face(faces.ids[i]);
     const std::size_t k = position(f, v);
     steps[i] = {f[(k + 1) % 4], f[(k + 3) % 4]};
+    for (std::size_t j = 0; j < i; ++j)
+      require(steps[i][0] != steps[j][0] && steps[i][1] != steps[j][1], "two edges have the same ends");
   }
   Star star;
   int end = inside(v) ? steps[0][0] : (v + 1) % boundary_;
@@ -105,14 +107,12 @@ Disk::Star Disk::star(int v) const {
 
 void Disk::check_star(int v) {
   const std::size_t faces = at(v).size;
-  Star s = star(v);
+  star(v);
   if (inside(v)) {
     require(faces >= 2 && faces < kMostFaces, "the valence of a vertex inside is not in 2..7");
   } else {
     require(faces == wanted_[static_cast<std::size_t>(v)], "a boundary vertex has a wrong number of faces");
   }
-  std::sort(s.ends.begin(), s.ends.begin() + static_cast<std::ptrdiff_t>(s.size));
-  for (std::size_t i = 1; i < s.size; ++i) require(s.ends[i] != s.ends[i - 1], "two edges have the same ends");
   std::erase_if(irregular_, [v](const Irregular& other) { return other.vertex == v; });
   if (inside(v) && faces != 4) irregular_.push_back({v, 4 - static_cast<int>(faces)});
   require(irregular_.size() <= kMostIrregular, "there are too many irregular vertices");

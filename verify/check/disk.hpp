@@ -2,9 +2,9 @@
 //
 // Terms
 //   face     four vertices, counter-clockwise.
-//   star     of a vertex: the other ends of its edges, counter-clockwise. An interior vertex has as many as it has faces;
-//            the star of a boundary vertex starts with the next vertex of the boundary, ends with the one before, and has
-//            one more.
+//   star     of a vertex: the other ends of its edges, counter-clockwise. An interior vertex has as many as faces; the
+//            star of a boundary vertex starts with the next vertex of the boundary, ends with the one before, and
+//            has one more.
 //   index    4 - l of an interior vertex of valence l. Vertices whose index is not 0 are irregular.
 //
 // The boundary consists of the vertices 0, 1, ..., n-1 in counter-clockwise order; side 1 of the region starts with 0.
@@ -36,8 +36,8 @@ struct Operation {
 class Disk {
  public:
   // Throws Rejected unless the faces are a quadrangulated disk with the boundary of the region and the vertices 0 to
-  // vertices - 1, each edge has two different ends, no two edges have the same ends, and each vertex inside has valence 2
-  // to kMostFaces - 1. O(faces).
+  // vertices - 1, each edge has two different ends, no two edges have the same ends, and each vertex inside has valence
+  // 2 to kMostFaces - 1. O(faces).
   Disk(const Region& region, const std::vector<Face>& faces, int vertices);
 
   bool inside(int v) const { return v >= boundary_; }
@@ -50,7 +50,8 @@ class Disk {
     std::array<int, 9> ends{};
     std::size_t size = 0;
   };
-  // Precondition: 0 <= v < vertices(). Throws Rejected if the faces at v are not one fan.
+  // Precondition: 0 <= v < vertices(). Throws Rejected if the faces at v are not one fan, or two edges have the same
+  // ends.
   Star star(int v) const;
 
   // Makes the operation. Throws Rejected if there is none such, or if what it leaves is no disk as the constructor asks

@@ -91,8 +91,7 @@ void turn_to_least(std::string& word) {
 
 // Puts the first vertex with the most quads first.
 void turn_to_fullest(std::string& word) {
-  const auto fullest =
-      std::max_element(word.begin(), word.end(), [](char a, char b) { return quads(a) < quads(b); });
+  const auto fullest = std::max_element(word.begin(), word.end(), [](char a, char b) { return quads(a) < quads(b); });
   std::rotate(word.begin(), fullest, word.end());
 }
 
@@ -154,7 +153,8 @@ std::uint64_t FillingCounter::hole(Word word, const Budget& all) {
     if (it->second == kInWork) throw Undecided("a hole needs its own number of fillings");
     return it->second;
   }
-  if (known_.size() > kMostHoles || depth_ > kDeepest) throw Undecided("the region has too many holes to count its fillings");
+  if (known_.size() > kMostHoles || depth_ > kDeepest)
+    throw Undecided("the region has too many holes to count its fillings");
   std::uint64_t& result = it->second;
   ++depth_;
   turn_to_fullest(word);

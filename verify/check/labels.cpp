@@ -113,8 +113,7 @@ class Reader {
       if (end.at == v2) {
         const Arrival corner = tracer_.walk({v1, second_leg, 1}, end.length);
         if (corner.length == end.length && tracer_.regular(corner.at)) {
-          const Arrival other =
-              tracer_.walk({corner.at, tracer_.turned(corner.at, corner.from, 1), 1}, path.length);
+          const Arrival other = tracer_.walk({corner.at, tracer_.turned(corner.at, corner.from, 1), 1}, path.length);
           if (other.at == v2 && other.length == path.length) found(end.length, path.length, end.from);
         }
       }

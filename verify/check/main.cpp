@@ -1,7 +1,7 @@
 // requad-verify-check: checks certificates again. `requad-verify check DIR` starts it.
 //
-// This program shares no code with the programs that make certificates, and uses the C++ standard library alone. It has a
-// reader of its own (reading.hpp), the regions and the closed forms (region.hpp), a mesh that is a list of faces
+// This program shares no code with the programs that make certificates, and uses the C++ standard library alone. It has
+// a reader of its own (reading.hpp), the regions and the closed forms (region.hpp), a mesh that is a list of faces
 // (disk.hpp), labels traced on it (labels.hpp), what a move is (moves.hpp), and a count of all fillings (fillings.hpp).
 // certificate.hpp says what the certificate of one region shows, manifest.hpp what a folder of them shows.
 //
@@ -29,9 +29,10 @@ void print(const std::vector<check::FamilyCounts>& families) {
   for (const auto& f : families) certificates += f.counts.regions;
   std::cout << certificates << " certificates hold\n";
   for (const auto& f : families) {
-    std::cout << f.family->name << ", " << f.family->size << " " << f.first << ".." << f.last << ": " << f.counts.regions
-              << " regions with " << f.counts.configurations << " configurations, " << f.counts.merged
-              << " merged vertices and " << f.counts.edges << " moves; " << f.empty << " regions without\n";
+    std::cout << f.family->name << ", " << f.family->size << " " << f.first << ".." << f.last << ": "
+              << f.counts.regions << " regions with " << f.counts.configurations << " configurations, "
+              << f.counts.merged << " merged vertices and " << f.counts.edges << " moves; " << f.empty
+              << " regions without\n";
   }
 }
 

@@ -34,7 +34,8 @@ void read_file(const std::string& folder, const std::string& file, Read&& read) 
 }
 
 FamilyCounts read_family(const std::vector<std::string_view>& words) {
-  const auto family = std::find_if(families().begin(), families().end(), [&](const Family& f) { return words[1] == f.name; });
+  const auto family =
+      std::find_if(families().begin(), families().end(), [&](const Family& f) { return words[1] == f.name; });
   require(family != families().end(), "there is no such family");
   require(words[2] == family->size, "the sizes of this family are others");
   const std::size_t dots = words[3].find("..");
@@ -93,7 +94,8 @@ void require_whole(Manifest& manifest) {
   for (const std::string& file : files) {
     if (listed.count(file) == 0) throw Rejected(file + " is missing");
   }
-  for (std::size_t i = 0; i < files.size(); ++i) require(files[i] == manifest.entries[i].file, "the files are not in order");
+  for (std::size_t i = 0; i < files.size(); ++i)
+    require(files[i] == manifest.entries[i].file, "the files are not in order");
 }
 
 }  // namespace
@@ -111,7 +113,8 @@ std::vector<FamilyCounts> check_folder(const std::string& folder) {
     if (closed_form(region) == 0) {
       ++family.empty;
       if (counter.with_pair(region) != 0)
-        throw Rejected("MANIFEST: " + file_of(region) + " is missing: the region has fillings, but the closed form is 0");
+        throw Rejected("MANIFEST: " + file_of(region) +
+                       " is missing: the region has fillings, but the closed form is 0");
       return;
     }
     const std::string checksum = (entry++)->checksum;

@@ -8,10 +8,10 @@
 //   ...
 //   end
 //
-// The claim: every region of these families and sizes has as many configurations as the closed form says, and those that
-// have any have the configurations and the moves of their certificates. So the files are those of all regions for which
-// the closed form is not 0, in the order of for_each_region(), and no others. The recurrence counts the fillings of the
-// other regions, too: they have none.
+// The claim: every region of these families and sizes has as many configurations as the closed form says, and those
+// that have any have the configurations and the moves of their certificates. So the files are those of all regions for
+// which the closed form is not 0, in the order of for_each_region(), and no others. The recurrence counts the fillings
+// of the other regions, too: they have none.
 //
 // The checksum tells an accident from a claim that is false. It does not keep a prover from cheating, who writes it
 // himself: against him, every line of every file is checked. Files that the MANIFEST does not name are no part of it.

@@ -14,11 +14,12 @@
 //          region. No others: a move leads to a filling of the region, and all fillings are listed. In a 3-5 region the
 //          two labellings of a segment name the same moves, towards the same sides.
 //
-// check-8  (section 6) A move takes one vertex of the pair, p, one edge further, to p'. This leaves an adjacent 3-5 pair,
+// check-8  (section 6) A move takes one vertex of the pair, p, one edge further, to p'. This leaves an adjacent 3-5
+// pair,
 //          which is transported until the other vertex, q, absorbs it. So each mesh on the way holds p', q, and two
 //          vertices u and v at the ends of an edge, whose indices, those of p and q and +1 and -1, add up where some of
-//          the four are the same. None holds a pair or a merged vertex: such a script is made of two moves. An open move
-//          only splits, a close move only collapses.
+//          the four are the same. None holds a pair or a merged vertex: such a script is made of two moves. An open
+//          move only splits, a close move only collapses.
 #pragma once
 
 #include <array>

@@ -40,6 +40,7 @@ bool Lines::read_line() {
     }
     crc_ = (crc_ >> 8) ^ kCrcSteps[(crc_ ^ static_cast<std::uint32_t>(c)) & 0xFF];
     if (c == '\n') return true;
+    require(' ' <= c && c <= '~', "a character is not printable");
     require(line_.size() < kLongestLine, "a line is too long");
     line_.push_back(static_cast<char>(c));
   }

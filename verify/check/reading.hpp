@@ -30,7 +30,7 @@ inline void require(bool holds, const char* problem) {
 // A decimal number of at most seven digits, without needless zeros. Throws Rejected if the word is none.
 int number(std::string_view word);
 
-// The lines of a file. A line consists of words with one space between them, and ends by a line feed.
+// The lines of a file. A line consists of words in ASCII with one space between them, and ends by a line feed.
 class Lines {
  public:
   explicit Lines(std::istream& in) : in_(in) {}

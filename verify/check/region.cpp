@@ -103,10 +103,8 @@ long long closed_form(const Region& region) {
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
-      {"regular-digons", "sides", 3, 3, true, false, 100},
-      {"regular-hexagons", "sides", 5, 5, true, false, 40},
-      {"3-5-regions", "perimeters", 5, 3, true, true, 100},
-      {"other-digons", "perimeters", 3, 3, false, true, 40},
+      {"regular-digons", "sides", 3, 3, true, false, 100},     {"regular-hexagons", "sides", 5, 5, true, false, 40},
+      {"3-5-regions", "perimeters", 5, 3, true, true, 100},    {"other-digons", "perimeters", 3, 3, false, true, 40},
       {"other-hexagons", "perimeters", 5, 5, false, true, 40},
   };
   return all;
@@ -135,7 +133,8 @@ void for_each_region(const Family& family, int first, int last, const std::funct
     const int after = static_cast<int>(k - at) - 1;
     if (after == 0) {
       region.sides[at] = left;
-      if (left >= least && (family.with_regular || !region.regular()) && first_of_rotations(region.sides)) visit(region);
+      if (left >= least && (family.with_regular || !region.regular()) && first_of_rotations(region.sides))
+        visit(region);
       return;
     }
     for (int side = least; left - side >= after * (at == 0 ? side : least); ++side) {
