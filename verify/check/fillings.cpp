@@ -49,7 +49,7 @@ bool obeys_gauss_bonnet(const std::string& word, const std::string& budget) {
   return sum == 0;
 }
 
-// check-3 for a hole that uses up nothing.
+// check-2 for a hole that uses up nothing.
 bool closes_in_the_grid(const std::string& word) {
   std::array<int, 4> steps{};  // in each direction
   int direction = 0;
