@@ -18,11 +18,11 @@
 //   merged 1                              meshes that hold the merged vertex
 //   edges 10                              of the configuration graph with apex; a self-loop counts once
 //   mesh 0 pair (1,1) d1 1 d2 1 p 1 strips 2 2 vertices 20 faces 13
+//                                         label and canonical labelling: theory/configurations.hpp
 //   0 1 8 19                              faces, counter-clockwise; vertices 0, 1, ... are the boundary, side 1 from 0
-//   ...                                   the label, and the canonical labelling: theory/configurations.hpp
+//   ...
 //   edge 0 1 step open from 1 1 1 to 2 2 1 operations 2
-//                                         from mesh 0 to mesh 1, and the d1, d2 and p of the labellings before and
-//                                         after
+//                                         from mesh 0 to mesh 1; d1, d2 and p of the labellings before and after
 //   flip 8 9 13 14                        the edge 8-9 becomes 13-14
 //   collapse 8 9 10 13                    the face 8 9 10 13 goes, 10 becomes 8
 //   split 9 8 10 21                       along 8 - 9 - 10: in the faces counter-clockwise from the one left of 9 -> 8
@@ -30,8 +30,9 @@
 //                                         9 8 21 10 opens
 //   end
 //
-// Boundary vertices keep their names, and no operation changes how many faces they have. Words have one space between
-// them.
+// Boundary vertices keep their names, and no operation changes how many faces they have. The vertex that the first
+// operation of a move has moved, and the other one of the pair, keep their names until the last operation. Words have
+// one space between them.
 #pragma once
 
 #include <set>

@@ -112,7 +112,6 @@ class Certificate {
       disk.apply(operation);
       if (i + 1 < operations) transport.pass(disk);
     }
-    transport.arrive(disk);
     const auto found = index_.find(disk.form());
     require(found != index_.end() && found->second == to.node, "a script leads to another mesh");
     group[static_cast<std::size_t>(root(group, from.node))] = root(group, to.node);

@@ -4,9 +4,8 @@
 //     and there are as many as the recurrence over holes counts (fillings.hpp).
 //   - Their number is the one of the closed form of the region's family (region.hpp).
 //   - Their labels are those that their separatrices have (labels.hpp).
-//   - The edges are all moves of all configurations, each once and each a single move (moves.hpp): its script leads
-//   from
-//     the one mesh to the other by legal operations and changes the label as the step says.
+//   - The edges are all moves of all configurations, each once and each a single move (moves.hpp). Its script leads
+//     from one mesh to the other by legal operations, and changes the label as the step says.
 //   - The moves connect all meshes.
 #pragma once
 

@@ -153,16 +153,4 @@ void Transport::pass(const Disk& disk) {
   require(!guesses_.empty(), "a script is no transport of one adjacent 3-5 pair");
 }
 
-void Transport::arrive(const Disk& disk) const {
-  if (!started_) return;
-  const auto is_irregular = [&disk](const Irregular& vertex) {
-    return std::any_of(disk.irregular().begin(), disk.irregular().end(),
-                       [&](const Irregular& other) { return other.vertex == vertex.vertex; });
-  };
-  const bool both_moved = std::any_of(guesses_.begin(), guesses_.end(), [&](const Guess& guess) {
-    return is_irregular(guess.moved) && !is_irregular(guess.q);
-  });
-  require(both_moved, "a script moves one vertex of the pair and leaves the other");
-}
-
 }  // namespace check

@@ -1,6 +1,6 @@
 // Pair moves: what each step does to a labelling, which steps a region has, and whether a script is one move.
 //
-// check-6  (Theorems 7.2, 7.3, 7.4 and section 6) The four steps change a labelling so, p staying as it is:
+// check-6  (Theorems 7.2, 7.3, 7.4 and section 6) The four steps change a labelling so, and leave p as it is:
 //
 //            step           (d1, d2) of 3-3   of 5-5     (e_1, e_2) of 3-5   towards
 //            slide_first       (+1, -1)      (-1, +1)       (-1,  0)         the side of label 1
@@ -11,15 +11,15 @@
 //          slide_first and slide_second undo each other, and so do open and close.
 //
 // check-7  A configuration has the moves that lead from one of its labellings to a labelling of a configuration of the
-//          region. No others: a move leads to a filling of the region, and all fillings are listed. In a 3-5 region the
-//          two labellings of a segment name the same moves, towards the same sides.
+//          region. It has no others: a move leads to a filling of the region, and all fillings are listed. In a 3-5
+//          region the two labellings of a segment name the same moves, towards the same sides.
 //
-// check-8  (section 6) A move takes one vertex of the pair, p, one edge further, to p'. This leaves an adjacent 3-5
-// pair,
-//          which is transported until the other vertex, q, absorbs it. So each mesh on the way holds p', q, and two
-//          vertices u and v at the ends of an edge, whose indices, those of p and q and +1 and -1, add up where some of
-//          the four are the same. None holds a pair or a merged vertex: such a script is made of two moves. An open
-//          move only splits, a close move only collapses.
+// check-8  (section 6) A move takes one vertex of the pair one edge further, from p to p'. This leaves an adjacent 3-5
+//          pair, which is transported until it is absorbed and a pair is there again. So each mesh on the way holds
+//          p', the other vertex q, and two vertices at the ends of an edge, with the indices of p and q, +1 and -1.
+//          Where some of the four are one vertex, their indices add up. p' and q keep their names on the way. A mesh on
+//          the way that holds a pair or a merged vertex shows that the script is made of two moves. An open move only
+//          splits, and a close move only collapses.
 #pragma once
 
 #include <array>
@@ -80,8 +80,6 @@ class Transport {
   Transport(const Region& region, const Disk& before);
   // Looks at the mesh after an operation that is not the last one. Throws Rejected unless it is as check-8 says.
   void pass(const Disk& disk);
-  // The same for the last one.
-  void arrive(const Disk& disk) const;
 
  private:
   // What may be true: q, and p' once it is known.

@@ -68,8 +68,7 @@ Proof read_proof(const std::filesystem::path& folder);
 
 // --- what a prover can do to meshes ----------------------------------------------------------------------------------
 
-// The faces after an operation, which is taken as it is: whether it is legal is not asked. An operation whose edge or
-// face is not there changes nothing.
+// The faces after an operation, which may be illegal. An operation whose edge or face is not there changes nothing.
 std::vector<Quad> after(std::vector<Quad> faces, const ListedOperation& operation);
 std::vector<Quad> after(std::vector<Quad> faces, const Script& script);
 // The operation that takes this one back, if what it made is still there. A vertex that it brings back is `made`.
