@@ -82,8 +82,8 @@ void Moves::add(const End& from, Step step, const End& to) {
   const Labelling& before = labelling(from);
   const Labelling& after = labelling(to);
   require(stepped(before, step) == key(after), "an edge's step does not lead from the one labelling to the other");
-  require(noted_[{from.node, slot(before, step)}]++ == 0, "a move is given twice");
-  require(noted_[{to.node, slot(after, inverse(step))}]++ == 0, "a move is given twice");
+  require(noted_.insert({from.node, slot(before, step)}).second, "a move is given twice");
+  noted_.insert({to.node, slot(after, inverse(step))});
 }
 
 void Moves::require_all() const {

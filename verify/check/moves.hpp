@@ -24,6 +24,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -52,7 +53,7 @@ class Moves {
     int p;
   };
   // Takes note of a move. Throws Rejected if the labellings are not those of the configurations, if the step does not
-  // lead from the one to the other, or if one of the ends belongs to a move that is noted already.
+  // lead from one to the other, or if the move is noted already, be it from its other end.
   void add(const End& from, Step step, const End& to);
   // Throws Rejected, and names a configuration and a step, unless all moves are noted (check-7). O(configurations).
   void require_all() const;
@@ -71,7 +72,7 @@ class Moves {
   const Region region_;
   std::vector<std::vector<Labelling>> labellings_;  // of each configuration
   std::map<std::vector<int>, int> node_;            // by key()
-  std::map<std::pair<int, Slot>, int> noted_;       // how often each end was noted
+  std::set<std::pair<int, Slot>> noted_;            // both ends of each move
 };
 
 // Watches a script from before its first operation.
