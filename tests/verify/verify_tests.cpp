@@ -301,6 +301,40 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     fails(id, s, [](PairStudy& x) { x.searched->front() += "0"; });
   }
   fails("T2", digon, [](PairStudy& x) { x.searched_merged->clear(); });
+  // The predicted order of the moves round a node, of a rectangle, of a segment and of a merged v6, is another one.
+  const auto swap_two_moves = [](theory::MapNode& node) {
+    std::swap(node.moves[0], node.moves[1]);
+    std::swap(node.labellings[0], node.labellings[1]);
+    std::swap(node.steps[0], node.steps[1]);
+  };
+  const auto swap_where = [&](auto wanted) {
+    return [&swap_two_moves, wanted](PairStudy& x) {
+      swap_two_moves(*std::find_if(x.map.nodes.begin(), x.map.nodes.end(), [&](const theory::MapNode& node) {
+        const bool all_made =
+            std::all_of(node.moves.begin(), node.moves.end(), [](auto dart) { return dart.target >= 0; });
+        return all_made && wanted(node.configuration);
+      }));
+    };
+  };
+  const auto rectangle = [](const theory::Configuration& c) { return !c.degenerate(); };
+  const auto segment = [](const theory::Configuration& c) { return c.degenerate() && !c.merged(); };
+  const PairStudy even = study_of(theory::kHexagon, sides({6, 6, 6, 6, 6, 6}));
+  fails("T2", study_of(theory::kDigon, sides({7, 7})), swap_where(rectangle));
+  fails("T2", digon, swap_where(segment));
+  fails("T3", even, swap_where(rectangle));
+  fails("T3", even, swap_where([](const theory::Configuration& c) { return c.merged(); }));
+  fails("T4", study_of(theory::kQuad, sides({6, 5, 5, 8})), swap_where(rectangle));
+  // The edges along which a v6 is parted are found in another order.
+  const auto swap_parting = [](PairStudy& x) {
+    std::vector<enumerate::FoundMove*> parting;
+    for (enumerate::FoundMove& move : x.found.moves) {
+      if (!x.found.holds_pair(move.from)) parting.push_back(&move);
+    }
+    REQUIRE(parting.size() == 3);
+    std::swap(parting[0]->move.frame, parting[1]->move.frame);
+  };
+  fails("T3", even, swap_parting);
+  fails("F1", even, swap_parting);
   const auto other_d1 = [&](PairStudy& x) {
     auto& reading = x.found.nodes[static_cast<std::size_t>(first_made(x).to)].reading;
     reading.configuration.parameters.d1 += 3;

@@ -10,6 +10,7 @@
 #include "enumerate/realisation.hpp"
 #include "mesh/topology/signature.hpp"
 #include "verify/claims/judging.hpp"
+#include "verify/studies/found_map.hpp"
 
 namespace requad::verify {
 
@@ -110,7 +111,7 @@ Judgement judge_realisation(const PairStudy& s) {
 }
 
 // All nodes of the found grid have the parity of L, and its dual is the grid of the next smaller region. The order of
-// the moves round each node follows from their labels (found_map()).
+// the moves round each node is read off the meshes (found_map()).
 Judgement judge_dual(const PairStudy& s) {
   if (!is_regular(s) || s.found.nodes.empty()) return not_applicable();
   Judgement j;
@@ -124,6 +125,8 @@ Judgement judge_dual(const PairStudy& s) {
   try {
     dual = theory::dual_grid(found_map(s));
   } catch (const std::logic_error& error) {
+    j.predicted = "a dual that is the grid of side " + std::to_string(length - 1);
+    j.found = "moves that are no map, or no dual";
     required.that(false, at_region(s, error.what()));
     return j;
   }

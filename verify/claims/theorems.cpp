@@ -5,6 +5,7 @@
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
 #include "verify/claims/judging.hpp"
+#include "verify/studies/found_map.hpp"
 
 namespace requad::verify {
 
@@ -125,8 +126,8 @@ void judge_moves(const PairStudy& s, Judgement& j) {
                 at_region(s, "the graph with apex differs from the predicted one: " + full_graph.difference));
   if (j.violation) return;
 
-  // Move by move: each step is one of the theorem's four, and each step that theory allows in this region was realised.
-  // So every other step was refused.
+  // Move by move: each step is one of the theorem's four, each step that theory allows in this region was realised, so
+  // that every other one was refused, and they lie in this order round the configuration.
   theory::ConfigurationMap map;
   try {
     map = found_map(s);
@@ -135,15 +136,8 @@ void judge_moves(const PairStudy& s, Judgement& j) {
     return;
   }
   for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
-    const auto node = static_cast<std::size_t>(s.predicted_of[i]);
-    for (std::size_t slot = 0; slot < map.nodes[node].moves.size(); ++slot) {
-      const theory::Dart& here = map.nodes[node].moves[slot];
-      const theory::Dart& there = s.map.nodes[node].moves[slot];
-      required.that(here.target == there.target && here.slot == there.slot,
-                    at_node(s, i,
-                            here.target < 0 ? "a step that theory allows was refused"
-                                            : "a step leads elsewhere than theory says"));
-    }
+    const std::string difference = node_difference(s.map, map, static_cast<std::size_t>(s.predicted_of[i]));
+    required.that(difference.empty(), at_node(s, i, difference));
   }
   for (const FoundMove& move : s.found.moves) {
     if (move.to >= 0) {

@@ -100,16 +100,6 @@ void add_exploration(PairStudy& s, enumerate::Exploration found) {
   }
 }
 
-std::string step_text(const theory::Configuration& from, const theory::Configuration& to) {
-  const auto text = [](const theory::Configuration& c) {
-    std::string t =
-        "d1=" + std::to_string(c.d1()) + " d2=" + std::to_string(c.d2()) + " p=" + std::to_string(c.p) + " e=";
-    for (const auto e : c.parameters.e) t += std::to_string(e) + ",";
-    return t;
-  };
-  return "the step from " + text(from) + " to " + text(to) + " is none of the theorem's four";
-}
-
 }  // namespace
 
 PairStudy study_moves(enumerate::Exploration found) {
@@ -151,40 +141,6 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
   if (const auto* vertex = std::get_if<VertexCase>(&region)) return study_vertex(*vertex, methods);
   if (const auto* triple = std::get_if<TripleCase>(&region)) return study_triple(*triple, methods);
   return study_pair(std::get<PairCase>(region).shape, methods, progress);
-}
-
-theory::ConfigurationMap found_map(const PairStudy& s) {
-  theory::ConfigurationMap map = s.map;
-  for (theory::MapNode& node : map.nodes) std::fill(node.moves.begin(), node.moves.end(), theory::Dart{});
-  // Finds which of a node's moves makes the step from one labelling to another.
-  const auto slot_of = [&](int node, const theory::Configuration& from, const theory::Configuration& to) {
-    const theory::MapNode& n = map.nodes[static_cast<std::size_t>(node)];
-    for (std::size_t slot = 0; slot < n.steps.size(); ++slot) {
-      // The merged configuration has the same labels for every p. The step out of it goes to (1,1,p).
-      const bool from_here = from.merged() ? n.labellings[slot].p == to.p : n.labellings[slot] == from;
-      const theory::Configuration expected = theory::stepped(map.type, n.labellings[slot], n.steps[slot]);
-      const bool to_there = expected.merged() ? to.merged() : expected == to;
-      if (from_here && to_there) return static_cast<int>(slot);
-    }
-    throw std::logic_error(step_text(from, to));
-  };
-  for (const enumerate::FoundMove& move : s.found.moves) {
-    if (move.to < 0) continue;
-    const int from = s.predicted_of[static_cast<std::size_t>(move.from)];
-    const int to = s.predicted_of[static_cast<std::size_t>(move.to)];
-    if (from < 0 || to < 0) throw std::logic_error("a move joins configurations that are not predicted");
-    if (!move.before || !move.after) throw std::logic_error("a move's frame has no labelling");
-    // Both labellings of a 3-5 segment describe the same four translations: the map has them for one.
-    const auto labelled = [&](const theory::Configuration& c) {
-      return map.type.symmetric() ? c : theory::canonical(map.type, c);
-    };
-    const theory::Configuration before = labelled(*move.before), after = labelled(*move.after);
-    const int slot = slot_of(from, before, after);
-    theory::Dart& dart = map.nodes[static_cast<std::size_t>(from)].moves[static_cast<std::size_t>(slot)];
-    if (dart.target >= 0) throw std::logic_error("two moves make one step");
-    dart = {to, slot_of(to, after, before)};
-  }
-  return map;
 }
 
 }  // namespace requad::verify

@@ -83,9 +83,4 @@ PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& m
 // The study of a pair that explore() has explored before. Its only method is moves.
 PairStudy study_moves(enumerate::Exploration found);
 
-// The found moves as a configuration map. Its nodes have the labellings and steps of the predicted map, in the same
-// order. Its targets are the configurations that the moves led to. Throws std::logic_error if a move is none of the
-// theorem's steps; the message names that move.
-theory::ConfigurationMap found_map(const PairStudy& study);
-
 }  // namespace requad::verify
