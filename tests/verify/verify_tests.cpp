@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/theory/integer_vector.hpp"
+#include "verify/claims/convex_subregions.hpp"
 #include "verify/errata.hpp"
 #include "verify/report.hpp"
 #include "verify/sentences.hpp"
@@ -267,6 +268,33 @@ TEST_CASE("a violation is reported with where it is and with the region's number
   CHECK(report_html(campaign, small_ranges()).find("<br>Found: 19 of 20 moves</p>") != std::string::npos);
 }
 
+// By hand: a grid of 3 x 3 quads has 6 x 6 rectangles.
+TEST_CASE("the convex regions inside a mesh are all found", "[verify]") {
+  const mesh::Region grid = tests::grid(3, 3);
+  const auto regions = convex_subregions(grid.mesh, BoundaryIrregular::none);
+  CHECK(regions.size() == 36);
+  std::set<std::vector<bool>> different;
+  for (const ConvexSubregion& region : regions) {
+    std::vector<bool> faces;
+    for (std::size_t f = 0; f < region.faces.size(); ++f) faces.push_back(region.faces.test(f));
+    CHECK(different.insert(faces).second);
+    const auto around = sides_of(grid.mesh, region.faces);
+    REQUIRE(around.size() == 4);
+    CHECK(around[0].size() * around[1].size() == region.faces.count());
+    CHECK(around[0].size() == around[2].size());
+  }
+  // Three quads round a v3: all of them; with the v3 on the boundary, where it is straight, each single one.
+  const mesh::QuadMesh corner =
+      mesh::QuadMesh::from_faces(7, tests::FaceList{{0, 1, 2, 3}, {0, 3, 4, 5}, {0, 5, 6, 1}});
+  CHECK(convex_subregions(corner, BoundaryIrregular::none).size() == 1);
+  const auto with_v3 = convex_subregions(corner, BoundaryIrregular::convex);
+  CHECK(with_v3.size() == 4);
+  for (const ConvexSubregion& region : with_v3) {
+    CHECK(region.inside.size() + region.on_boundary.size() == 1);
+    CHECK(sides_of(corner, region.faces).size() == 3);
+  }
+}
+
 // A check that cannot fail is worse than none. So this test falsifies the facts that each check reads, one by one.
 TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const PairStudy digon = study_of(theory::kDigon, sides({6, 6}));
@@ -380,6 +408,19 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     x.found.nodes[1].region = x.found.nodes[0].region;
     x.found.nodes[1].reading.frames = x.found.nodes[0].reading.frames;
   });
+  fails("T11", hexagon, [](PairStudy& x) { ++x.found.nodes[0].reading.frames[0].labelling.parameters.e(2); });
+  const auto swap_extents = [](PairStudy& x) {
+    for (auto& node : x.found.nodes) {
+      theory::StripParameters& p = node.reading.frames[0].labelling.parameters;
+      std::swap(p.d1, p.d2);
+    }
+  };
+  fails("U2", digon, swap_extents);
+  fails("U3", even, swap_extents);
+  for (const char* id : {"L8", "D5", "S1"}) {
+    fails(id, study_of(theory::kQuad, sides({3, 2, 2, 3})),
+          [](PairStudy& x) { x.found.nodes[0].signature = mesh::signature(tests::grid(3, 3)); });
+  }
   fails("M1", hexagon, lose_last_node);
   // Several starts: every configuration is there, but no moves join them.
   const auto forget_moves = [](PairStudy& x) { x.found.moves.clear(); };
@@ -416,6 +457,9 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const auto instead = [](const VertexStudy& other) { return [other](VertexStudy& x) { x.glued = other.glued; }; };
   fails("A2", single(3, 6), [&](VertexStudy& x) { x.glued = single(5, 6).glued; });
   fails("A3", single(4, 6), instead(single(5, 6)));
+  fails("B1", single(5, 6), [&](VertexStudy& x) { x.glued = single(3, 6).glued; });
+  fails("A6", single(5, 6), [&](VertexStudy& x) { x.glued = single(6, 6).glued; });
+  fails("A6", single(4, 6), [&](VertexStudy& x) { x.glued = single(3, 8).glued, x.sides.conservativeResize(3); });
   fails("A4", single(2, 6), instead(single(3, 6)));
   fails("A4", single(6, 6), instead(single(7, 8)));
   // This region has a v3 and a far v5. Claims about the neighbourhood of a vertex do not apply where other vertices are

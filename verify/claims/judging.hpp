@@ -127,17 +127,27 @@ Judgement judge_detour(const PairStudy& s);            // P4
 Judgement judge_three_vertices(const TripleStudy& s);  // N3
 // regions.cpp
 Judgement judge_gauss_bonnet(const PairStudy& s);  // G1
-Judgement judge_lemma_8(const PairStudy& s);       // L8
 Judgement judge_lemma_9(const PairStudy& s);       // L9
 Judgement judge_growth(const PairStudy& s);        // L10
-Judgement judge_theorem_11(const PairStudy& s);    // T11
+// expansions.cpp
+Judgement judge_lemma_8(const PairStudy& s);      // L8
+Judgement judge_expansions(const PairStudy& s);   // S1
+Judgement judge_sharp_turns(const PairStudy& s);  // D5
+// separatrices.cpp
+Judgement judge_theorem_11(const PairStudy& s);        // T11
+Judgement judge_digon_meetings(const PairStudy& s);    // U2
+Judgement judge_hexagon_meetings(const PairStudy& s);  // U3
 // operations.cpp
 Judgement judge_single_vertex_operations(const VertexStudy& s);  // B1
 Judgement judge_valence_changes(const Study& s);                 // B2
 Judgement judge_inverses(const Study& s);                        // B3
-Judgement judge_adjacent_pair(const PairStudy& s);               // A1
-Judgement judge_vertex_steps(const VertexStudy& s);              // A2
-Judgement judge_quadruple(const VertexStudy& s);                 // A3
-Judgement judge_type_changes(const VertexStudy& s);              // A4
+Judgement judge_rotations(const VertexStudy& s);                 // B4
+// atomic.cpp
+Judgement judge_adjacent_pair(const PairStudy& s);   // A1
+Judgement judge_vertex_steps(const VertexStudy& s);  // A2
+Judgement judge_quadruple(const VertexStudy& s);     // A3
+Judgement judge_type_changes(const VertexStudy& s);  // A4
+Judgement judge_pair_removal(const VertexStudy& s);  // A5
+Judgement judge_any_valence(const VertexStudy& s);   // A6
 
 }  // namespace requad::verify

@@ -17,7 +17,8 @@ std::vector<Claim> operation_claims() {
           .statement = "Every basic operation applied at a single irregular vertex of a regular neighbourhood "
                        "increases the number of irregular vertices.",
           .compares = "irregular vertices before and after every operation at the vertex",
-          .fails_if = "an operation at the vertex leaves at most one irregular vertex",
+          .fails_if = "an operation at the vertex leaves at most one irregular vertex, or there are not 9 l + l (l - "
+                      "1) / 2 of them",
           .families = {single_vertex},
           .methods = {kMoves},
           .check = judge_single_vertex_operations,
@@ -47,13 +48,25 @@ std::vector<Claim> operation_claims() {
           .check = judge_inverses,
       },
       {
+          .id = "B4",
+          .where = "section 2",
+          .statement = "A vertex rotation at a single irregular vertex of a regular neighbourhood increases the number "
+                       "of irregular vertices.",
+          .compares = "irregular vertices before and after the rotation of the vertex and of each vertex on its faces",
+          .fails_if = "a rotation leaves at most one irregular vertex, or makes no mesh without taking an edge of a v2",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_rotations,
+      },
+      {
           .id = "A1",
           .where = "section 5",
           .statement = "An adjacent 3-5 pair moves to each of its six adjacent vertices: two by collapse, two by "
                        "split, two by flip.",
-          .compares = "all operations after which one adjacent 3-5 pair is left",
-          .fails_if = "the operations after which one adjacent 3-5 pair is left do not make two meshes by collapse, "
-                      "two by split and two by flip",
+          .compares =
+              "all operations after which one adjacent 3-5 pair is left, and which of the six vertices it has moved to",
+          .fails_if = "one of the six vertices is not reached by exactly one operation, or not by a collapse next to "
+                      "the v3, a flip next to the v5 on a face of their edge, and a split elsewhere",
           .families = {quad},
           .methods = {kMoves},
           .check = judge_adjacent_pair,
@@ -90,6 +103,31 @@ std::vector<Claim> operation_claims() {
           .families = {single_vertex},
           .methods = {kMoves},
           .check = judge_type_changes,
+      },
+      {
+          .id = "A5",
+          .where = "section 5",
+          .statement = "A v3 beside an adjacent 3-5 pair removes the pair by one split or flip and moves by an edge, a "
+                       "v5 by one collapse or flip: Figure 4 in reverse.",
+          .compares = "from every mesh that A2 makes, all operations after which one irregular vertex is left",
+          .fails_if = "from one of these meshes no operation of the inverse kind leads back, or one that leaves a "
+                      "single vertex leads to another mesh",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_pair_removal,
+      },
+      {
+          .id = "A6",
+          .where = "section 5",
+          .statement = "A vertex of any valence l gets l + 2 by a collapse of each of its l faces. A split along any "
+                       "two of its edges with a and b >= 1 others on the two sides parts it in a + 2 and b + 2. The "
+                       "other vertices change by one.",
+          .compares = "all operations at a vertex of valence 2 to 12, by the irregular valences afterwards",
+          .fails_if = "one of these operations makes other valences, or there are not l of the collapses and l (l - 3) "
+                      "/ 2 of the splits",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_any_valence,
       },
       {
           .id = "P1",

@@ -66,10 +66,11 @@ std::vector<Claim> region_claims() {
       {
           .id = "G1",
           .where = "Equation 1",
-          .statement = "Discrete Gauss-Bonnet.",
-          .compares = "turns and indices of every configuration, 4 chi",
+          .statement = "Discrete Gauss-Bonnet, on disks, annuli, spheres, tori and a surface of genus two.",
+          .compares = "turns and indices of every configuration, and of surfaces made of it by cutting out quads and "
+                      "doubling; 4 chi as the surface is made",
           .fails_if =
-              "on one mesh the turns and indices do not sum to 4 chi, with chi counted from vertices, edges and faces",
+              "on one mesh the turns and indices do not sum to 4 chi, or vertices, edges and faces do not give chi",
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_gauss_bonnet,
@@ -78,10 +79,10 @@ std::vector<Claim> region_claims() {
           .id = "L8",
           .where = "Lemma 7.8",
           .statement = "R_alpha is unique and a d1 x d2 grid; the smallest convex region is its 1-ring.",
-          .compares = "rectangles spanned by separatrices; that the 1-ring, which every region with the pair inside "
-                      "contains, is convex, with the sides of all e_i = 1",
+          .compares = "rectangles spanned by separatrices; the 1-ring, with the sides of all e_i = 1; all convex "
+                      "regions inside a small mesh that have the pair inside, by exhaustion",
           .fails_if = "the separatrices span another number of rectangles, R_alpha is not a d1 x d2 grid of regular "
-                      "vertices, or its 1-ring is not convex",
+                      "vertices, its 1-ring is not convex, or a convex region with the pair inside does not contain it",
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_lemma_8,
@@ -117,6 +118,59 @@ std::vector<Claim> region_claims() {
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_theorem_11,
+      },
+      {
+          .id = "D5",
+          .where = "Definition 7.5",
+          .statement = "A sharp convex turn point counts as two corners with a side of length zero between. So R_alpha "
+                       "has the sides of the equations with all e_i = 0, and a convex region with irregular vertices "
+                       "on its boundary has 4 - G sides.",
+          .compares = "sides of R_alpha on the mesh and in the equations; sides and indices of all convex regions "
+                      "inside a small mesh, by exhaustion",
+          .fails_if = "R_alpha has a side of another length, or one convex region has another number of sides",
+          .families = kPairs,
+          .methods = {kMoves},
+          .check = judge_sharp_turns,
+      },
+      {
+          .id = "S1",
+          .where = "Lemma 7.10",
+          .statement =
+              "Adding a strip to one side is atomic: no convex region with the same irregular vertices lies between. "
+              "So a mesh has as many convex regions around its pair as there are choices of 1 to e_i strips.",
+          .compares = "all convex regions inside a small mesh, by exhaustion, each with the least larger ones",
+          .fails_if = "a least larger region is not the smaller one with one quad at each edge of one side, or their "
+                      "number is not the product of the e_i",
+          .families = kPairs,
+          .methods = {kMoves},
+          .check = judge_expansions,
+      },
+      {
+          .id = "U2",
+          .where = "proof of 7.2",
+          .statement =
+              "In a digon each side meets a separatrix of one vertex between two of the other: u20 < u11 < u22, with "
+              "u11 - u20 = d1 and u22 - u11 = d2. (The d1 and d2 of Equations 2 and 3; the proof names them the other "
+              "way round.) A segment of length d: one separatrix of each vertex, d apart.",
+          .compares = "where separatrices meet the sides, extents of R_alpha",
+          .fails_if = "a side meets other separatrices, or they are not d1 and d2 apart in this order",
+          .families = {regular_digon, other_digon},
+          .methods = {kMoves},
+          .check = judge_digon_meetings,
+      },
+      {
+          .id = "U3",
+          .where = "proof of 7.3",
+          .statement =
+              "In a hexagon exactly four sides meet two separatrices, one of each vertex: two opposite pairs of "
+              "neighbours, d2 apart on the first and d1 on the second, counter-clockwise. (As Equation 2 has them; the "
+              "proof names them the other way round.) A segment of length d: two opposite sides, d apart.",
+          .compares = "where separatrices meet the sides, extents of R_alpha",
+          .fails_if = "other sides meet two separatrices, both are of one vertex, or they are not d1 and d2 apart in "
+                      "this order",
+          .families = {regular_hexagon, other_hexagon},
+          .methods = {kMoves},
+          .check = judge_hexagon_meetings,
       },
       {
           .id = "M1",

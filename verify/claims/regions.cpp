@@ -1,6 +1,6 @@
-// Claims about one region: Equation 1, Lemmas 7.8-7.10 and 7.12-7.14, Theorem 7.11.
+// Claims about one region: Equation 1, Lemmas 7.9, 7.10 and 7.12-7.14.
 #include <algorithm>
-#include <map>
+#include <array>
 #include <set>
 
 #include "enumerate/generators.hpp"
@@ -17,65 +17,79 @@ using theory::PairType;
 
 namespace {
 
+constexpr int kLargestSurface =
+    60;  // faces of a region that other surfaces are made of; larger ones repeat the smaller
+
+// A surface that is made of a region, with the Euler characteristic that it has by its making.
+struct MadeSurface {
+  mesh::QuadMesh mesh;
+  int euler = 1;
+};
+
+// The faces of a mesh without these ones. Vertices keep their numbers.
+std::vector<std::array<int, 4>> without(const mesh::QuadMesh& m, const std::vector<std::size_t>& holes) {
+  std::vector<std::array<int, 4>> faces = m.compact_faces();
+  for (auto it = holes.rbegin(); it != holes.rend(); ++it)
+    faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(*it));
+  return faces;
+}
+
+// Two copies of a mesh, the second one mirrored, joined by a strip of quads along each boundary: a closed surface.
+mesh::QuadMesh doubled(const mesh::QuadMesh& m) {
+  const int n = m.vertex_count();
+  std::vector<std::array<int, 4>> faces = m.compact_faces();
+  const std::size_t copied = faces.size();
+  for (std::size_t f = 0; f < copied; ++f) {
+    const auto [a, b, c, d] = faces[f];
+    faces.push_back({d + n, c + n, b + n, a + n});
+  }
+  for (const mesh::HalfEdgeId h : m.half_edges()) {
+    if (!m.is_boundary(h)) continue;
+    const int a = m.origin(h).index(), b = m.target(h).index();
+    faces.push_back({b, a, a + n, b + n});
+  }
+  return mesh::QuadMesh::from_faces(2 * n, faces);
+}
+
+// Disks with up to two holes, and their doubles: an annulus, a sphere, a torus, a surface of genus two. A hole is a face
+// whose corners lie inside; two holes have no corner in common.
+std::vector<MadeSurface> surfaces_from(const Region& region) {
+  const mesh::QuadMesh disk = mesh::QuadMesh::from_faces(region.mesh.vertex_count(), region.mesh.compact_faces());
+  std::vector<std::size_t> holes;
+  std::set<mesh::VertexId> used;
+  for (const mesh::FaceId f : disk.faces()) {
+    const auto corners = disk.corners(f);
+    const bool free = std::none_of(corners.begin(), corners.end(),
+                                   [&](mesh::VertexId v) { return disk.is_boundary(v) || used.count(v) > 0; });
+    if (!free || holes.size() == 2) continue;
+    holes.push_back(static_cast<std::size_t>(f.index()));
+    used.insert(corners.begin(), corners.end());
+  }
+  std::vector<MadeSurface> surfaces;
+  for (std::size_t number = 0; number <= holes.size(); ++number) {
+    const std::vector<std::size_t> made(holes.begin(), holes.begin() + static_cast<std::ptrdiff_t>(number));
+    const int euler = 1 - static_cast<int>(number);
+    mesh::QuadMesh open = mesh::QuadMesh::from_faces(disk.vertex_count(), without(disk, made));
+    surfaces.push_back({doubled(open), 2 * euler});
+    surfaces.push_back({std::move(open), euler});
+  }
+  return surfaces;
+}
+
+// The turns and indices of the region itself, which is a disk, and of the surfaces made of it.
 std::string check_gauss_bonnet(const FoundNode& node) {
-  const auto& m = node.region.mesh;
-  const int left = mesh::total_turn(m) + mesh::total_index(m);
-  const int right = 4 * mesh::euler_characteristic(m);
-  return left == right ? "" : "turns and indices sum to " + std::to_string(left) + ", not " + std::to_string(right);
-}
-
-// The faces that touch R_alpha, as a region that is rooted at any of its corners.
-Region ring_of(const Region& region, const mesh::PairFrame& frame) {
-  const auto& m = region.mesh;
-  std::map<mesh::VertexId, int> number;
-  std::vector<std::array<int, 4>> corners;
-  for (const mesh::FaceId f : mesh::ring(m, frame)) {
-    std::array<int, 4> c{};
-    for (std::size_t k = 0; k < 4; ++k)
-      c[k] = number.emplace(m.corners(f)[k], static_cast<int>(number.size())).first->second;
-    corners.push_back(c);
-  }
-  Region ring{mesh::QuadMesh::from_faces(static_cast<int>(number.size()), corners), {}};
-  for (const mesh::VertexId v : ring.mesh.vertices()) {
-    if (ring.mesh.is_boundary(v) && mesh::turn(ring.mesh, v) == 1) ring.root = ring.mesh.out(v);
-  }
-  return ring;
-}
-
-// Whether two cyclic sequences agree up to rotation.
-template <class A, class B>
-bool equal_up_to_rotation(const A& a, const B& b) {
-  const std::size_t n = a.size();
-  if (b.size() != n) return false;
-  for (std::size_t shift = 0; shift < n; ++shift) {
-    bool same = true;
-    for (std::size_t i = 0; i < n && same; ++i) same = a[i] == b[(i + shift) % n];
-    if (same) return true;
-  }
-  return false;
-}
-
-std::string check_lemma_8(PairType type, const FoundNode& node) {
-  const Configuration& c = node.reading.configuration;
-  if (c.merged()) return "";
-  const std::size_t expected = c.degenerate() ? 2 : 1;
-  if (node.reading.frames.size() != expected) {
-    return std::to_string(node.reading.frames.size()) + " rectangles lie between the pair, not " +
-           std::to_string(expected);
-  }
-  const mesh::PairFrame& frame = node.reading.frames[0].frame;
-  const auto faces = mesh::grid(node.region.mesh, frame);
-  if (!faces || faces->size() != static_cast<std::size_t>(frame.d1) * static_cast<std::size_t>(frame.d2)) {
-    return "R_alpha is not a regular grid of its size";
-  }
-  const Region ring = ring_of(node.region, frame);
-  if (const std::string problem = mesh::region_problem(ring); !problem.empty())
-    return "the 1-ring of R_alpha: " + problem;
-  Configuration smallest = c;
-  smallest.parameters.e.setOnes();
-  const theory::IntegerVector sides = theory::PairSystem(type).side_lengths(smallest.parameters);
-  if (!equal_up_to_rotation(mesh::side_lengths(ring), std::vector<theory::Integer>(sides.begin(), sides.end()))) {
-    return "the 1-ring of R_alpha has other sides than all e_i = 1 give";
+  const auto check = [](const mesh::QuadMesh& m, int euler) -> std::string {
+    const int left = mesh::total_turn(m) + mesh::total_index(m);
+    const std::string surface = "on a surface of Euler characteristic " + std::to_string(euler);
+    if (left != 4 * euler)
+      return surface + " turns and indices sum to " + std::to_string(left) + ", not " + std::to_string(4 * euler);
+    return mesh::euler_characteristic(m) == euler ? "" : surface + " vertices, edges and faces give another one";
+  };
+  std::string problem = check(node.region.mesh, 1);
+  if (!problem.empty() || node.region.mesh.face_count() > kLargestSurface) return problem;
+  for (const MadeSurface& surface : surfaces_from(node.region)) {
+    problem = check(surface.mesh, surface.euler);
+    if (!problem.empty()) return problem;
   }
   return "";
 }
@@ -117,12 +131,7 @@ std::string check_growth(PairType type, const FoundNode& node) {
 }  // namespace
 
 Judgement judge_gauss_bonnet(const PairStudy& s) {
-  return for_each_node(s, "turns and indices sum to 4 chi", check_gauss_bonnet);
-}
-
-Judgement judge_lemma_8(const PairStudy& s) {
-  return for_each_node(s, "R_alpha is a d1 x d2 grid, and its 1-ring is convex",
-                       [&s](const FoundNode& node) { return check_lemma_8(s.shape.type(), node); });
+  return for_each_node(s, "turns and indices sum to 4 chi, on disks and on surfaces made of them", check_gauss_bonnet);
 }
 
 Judgement judge_lemma_9(const PairStudy& s) {
@@ -133,34 +142,6 @@ Judgement judge_lemma_9(const PairStudy& s) {
 Judgement judge_growth(const PairStudy& s) {
   return for_each_node(s, "grown by strips it is the same mesh",
                        [&s](const FoundNode& node) { return check_growth(s.shape.type(), node); });
-}
-
-// Distinct configurations have distinct separatrix vectors. Vectors are compared up to renaming: each stands for the
-// least one over the frames and both orders of the vertices.
-Judgement judge_theorem_11(const PairStudy& s) {
-  std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
-  std::vector<std::size_t> pairs;
-  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
-    if (s.found.holds_pair(static_cast<int>(i))) pairs.push_back(i);
-  }
-  const auto problem = [&](std::size_t i) -> std::string {
-    const FoundNode& node = s.found.nodes[i];
-    std::vector<std::pair<int, int>> least;
-    for (const auto& labelled : node.reading.frames) {
-      for (const auto& frame : mesh::both_ends(node.region.mesh, labelled.frame)) {
-        std::vector<std::pair<int, int>> vector;
-        for (const auto& at : enumerate::separatrix_vector(node.region, frame))
-          vector.emplace_back(at.side, at.distance);
-        if (least.empty() || vector < least) least = std::move(vector);
-      }
-    }
-    const auto [other, is_new] = seen.emplace(std::move(least), i);
-    if (is_new) return "";
-    return "has the separatrix vector of " +
-           theory::label(s.shape.type(), s.found.nodes[other->second].reading.configuration);
-  };
-  return for_each_of(pairs, "configuration", "a separatrix vector of its own", problem,
-                     [&s](std::size_t i, std::string what) { return at_node(s, i, std::move(what)); });
 }
 
 }  // namespace requad::verify
