@@ -459,7 +459,6 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("A3", single(4, 6), instead(single(5, 6)));
   fails("B1", single(5, 6), [&](VertexStudy& x) { x.glued = single(3, 6).glued; });
   fails("A6", single(5, 6), [&](VertexStudy& x) { x.glued = single(6, 6).glued; });
-  fails("A6", single(4, 6), [&](VertexStudy& x) { x.glued = single(3, 8).glued, x.sides.conservativeResize(3); });
   fails("A4", single(2, 6), instead(single(3, 6)));
   fails("A4", single(6, 6), instead(single(7, 8)));
   // This region has a v3 and a far v5. Claims about the neighbourhood of a vertex do not apply where other vertices are

@@ -69,6 +69,7 @@ std::string check_directions(const Region& region) {
   std::set<VertexId> neighbours;
   for (const VertexId w : m.neighbours(five)) expected[w] = Kind::split;
   const HalfEdgeId edge = m.find_half_edge(three, five);
+  if (!edge.valid()) return "the pair is not adjacent";
   for (const HalfEdgeId h : {edge, m.twin(edge)}) {
     for (const VertexId w : m.corners(QuadMesh::face(h))) expected[w] = Kind::flip_ccw;
   }

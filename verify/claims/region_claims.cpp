@@ -33,8 +33,8 @@ std::vector<Claim> region_claims() {
           .statement = "A regular digon of side L with a 3-3 pair has tau(L) configurations, parametrised by (m,n), "
                        "four steps; a non-regular one has at most tau of the smallest regular digon around it.",
           .compares = kTheoremCompares,
-          .fails_if = "two of the counts differ, or two of the sets of signatures; an edge or a label differs from the "
-                      "predicted one; or the count exceeds the bound",
+          .fails_if = "two of the counts differ, or two of the sets of signatures; an edge, a label or the order of "
+                      "the moves round a configuration differs from the predicted one; or the count exceeds the bound",
           .families = {regular_digon, other_digon},
           .methods = {kMoves, kSearch, kWalk},
           .check = judge_theorem,
@@ -46,8 +46,8 @@ std::vector<Claim> region_claims() {
               "A regular hexagon of side L with a 5-5 pair has tau(L) configurations, parametrised by (m,n,p), four "
               "steps; a non-regular one has at most tau of the smallest regular hexagon around it.",
           .compares = kTheoremCompares,
-          .fails_if = "two of the counts differ, or two of the sets of signatures; an edge or a label differs from the "
-                      "predicted one; or the count exceeds the bound",
+          .fails_if = "two of the counts differ, or two of the sets of signatures; an edge, a label or the order of "
+                      "the moves round a configuration differs from the predicted one; or the count exceeds the bound",
           .families = {regular_hexagon, other_hexagon},
           .methods = {kMoves, kSearch, kWalk},
           .check = judge_theorem,
@@ -57,8 +57,8 @@ std::vector<Claim> region_claims() {
           .where = "Theorem 7.4",
           .statement = "A convex region with a 3-5 pair has K = M N configurations, parametrised by (m,n), four steps.",
           .compares = kTheoremCompares,
-          .fails_if = "two of the counts differ, or two of the sets of signatures; or an edge or a label differs from "
-                      "the predicted one",
+          .fails_if = "two of the counts differ, or two of the sets of signatures; or an edge, a label or the order of "
+                      "the moves round a configuration differs from the predicted one",
           .families = {quad},
           .methods = {kMoves, kSearch, kWalk},
           .check = judge_theorem,
@@ -176,7 +176,7 @@ std::vector<Claim> region_claims() {
           .id = "M1",
           .where = "section 1",
           .statement = "The three moves perform all possible edits: the configuration graph of every convex region "
-                       "with two irregular vertices is connected.",
+                       "with a 3-3, 5-5 or 3-5 pair is connected. (The paper has no moves for other pairs.)",
           .compares = "configurations reached from one, parameter set, fillings found by search",
           .fails_if =
               "one configuration of the parameter set, or one filling, is not reached from the first configuration",
@@ -187,7 +187,8 @@ std::vector<Claim> region_claims() {
       {
           .id = "R1",
           .where = "proof of 7.2",
-          .statement = "Every configuration is realised from (0,0) or (0,1) by a shortest path of moves.",
+          .statement = "Every configuration is realised by a shortest path of moves: from (0,0) or (0,1) in a regular "
+                       "region, in any other one from its simplest configuration.",
           .compares = "the mesh at the end of the path, the mesh found by exploration, distances in the found graph",
           .fails_if = "a path ends in another mesh, or it has more moves than the distance in the found graph",
           .families = kPairs,
