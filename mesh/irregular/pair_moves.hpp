@@ -32,8 +32,9 @@
 // On closed surfaces separatrices wind round, and R_alpha can overlap itself or contain other irregular vertices. Many
 // moves are legal there nevertheless, and the laws hold for those. The others are refused.
 //
-// Law irregular-14 (inverse). The inverse of a legal move is legal. If R_alpha is a grid (grid() in pair_frame.hpp), it
-// restores the mesh up to isomorphism. Otherwise it can lead round the other side of an irregular vertex in R_alpha.
+// Law irregular-14 (inverse). If R_alpha has room, the inverse of a legal move is legal and restores the mesh up to
+// isomorphism. Without room it can be refused or lead to another mesh, where the adjacent pair passes an irregular vertex
+// in R_alpha or its own path on the other side. MoveReport::undo is exact always.
 //
 // Law irregular-15 (order). The pairs v1, v2 and v2, v1 have the same moves.
 //

@@ -123,13 +123,17 @@ class Checker {
   std::string check_inverse(const PairMove& move, const MoveReport& report, const QuadMesh& after) {
     QuadMesh back = after;
     const Refusal refusal = move_pair(back, report.inverse).refusal;
-    if (refusal != Refusal::none) return "the inverse is refused: " + std::string(refusal.clause());
-    if (back.face_count() != mesh_.face_count() || irregular_valences_of(back) != valences_)
-      return "the inverse leads to another mesh";
-    if (!grid(mesh_, move.frame) || mesh_.face_count() > largest_) return "";
+    const bool room = has_room(mesh_, move.frame);
+    if (refusal != Refusal::none) {
+      ++tally_.irreversible;
+      return room ? "the inverse is refused: " + std::string(refusal.clause()) : "";
+    }
+    if (irregular_valences_of(back) != valences_) return "the inverse leads to other irregular vertices";
+    if (mesh_.face_count() > largest_) return "";
     if (signature_.empty()) signature_ = canonical_signature(mesh_);
-    ++tally_.isomorphic;
-    return canonical_signature(back) == signature_ ? "" : "the inverse leads to another mesh";
+    const bool returns = canonical_signature(back) == signature_;
+    ++(returns ? tally_.isomorphic : tally_.elsewhere);
+    return returns || !room ? "" : "the inverse leads to another mesh";
   }
 
   const QuadMesh& mesh_;
@@ -148,6 +152,8 @@ PairMoveTally& PairMoveTally::operator+=(const PairMoveTally& other) {
   with_room += other.with_room;
   overlapping += other.overlapping;
   isomorphic += other.isomorphic;
+  elsewhere += other.elsewhere;
+  irreversible += other.irreversible;
   for (const auto& [reason, number] : other.refused) refused[reason] += number;
   return *this;
 }
@@ -155,8 +161,10 @@ PairMoveTally& PairMoveTally::operator+=(const PairMoveTally& other) {
 std::string to_string(const PairMoveTally& tally) {
   std::string text = std::to_string(tally.pairs) + " pairs, " + std::to_string(tally.listed) + " moves listed, " +
                      std::to_string(tally.made) + " made, " + std::to_string(tally.isomorphic) +
-                     " inverses isomorphic; listed with room " + std::to_string(tally.with_room) +
-                     ", for overlapping rectangles " + std::to_string(tally.overlapping) + "; refused";
+                     " inverses lead back, " + std::to_string(tally.elsewhere) + " to another mesh, " +
+                     std::to_string(tally.irreversible) + " are refused; listed with room " +
+                     std::to_string(tally.with_room) + ", for overlapping rectangles " +
+                     std::to_string(tally.overlapping) + "; refused";
   for (const auto& [reason, number] : tally.refused) text += " " + std::to_string(number) + " (" + reason + ")";
   return text;
 }

@@ -16,9 +16,11 @@ struct PairMoveTally {
   std::int64_t pairs = 0;
   std::int64_t listed = 0;                      // of v1, v2; as many are listed for v2, v1
   std::int64_t made = 0;                        // of these
+  std::int64_t irreversible = 0;                // inverses that are refused: none where there is room
   std::int64_t with_room = 0;                   // listed for a frame that has room (law irregular-13)
   std::int64_t overlapping = 0;                 // listed for a frame that overlaps itself
-  std::int64_t isomorphic = 0;                  // inverses that were seen to restore the mesh up to isomorphism
+  std::int64_t isomorphic = 0;                  // inverses that restore the mesh up to isomorphism
+  std::int64_t elsewhere = 0;                   // inverses that lead to another mesh: none where there is room
   std::map<std::string, std::int64_t> refused;  // by reason
 
   PairMoveTally& operator+=(const PairMoveTally& other);
