@@ -20,11 +20,11 @@ int move(const program::Options& options) {
   const std::string wanted = options.text("step");
   const std::string subject = session.describe(a, b);
   const std::size_t mark = session.editor().mark();
-  // Several moves may have one name. The first legal one is made; if there is none, the last reason is reported.
+  // A step can stand for several moves. The first legal one is made; if there is none, the last reason is reported.
   PossibleMove made;
   bool found = false;
   const Refusal refusal = for_each_move(session, a, b, [&](const PossibleMove& move) {
-    if (move.name != wanted) return false;
+    if (!move.is_called(wanted)) return false;
     made = move;
     found = true;
     return move.refusal == Refusal::none;
@@ -34,7 +34,7 @@ int move(const program::Options& options) {
   if (made.refusal != Refusal::none) return session.refused(subject, made.refusal);
   session.smooth_since(mark);
   return session.done(
-      {{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces_gained}},
+      {{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces_gained()}},
       made.name + ": " + made.effect + "\n");
 }
 
@@ -46,8 +46,8 @@ program::Command move_command() {
       .usage = {"IN A B --step NAME -o OUT"},
       .summary = "makes one of the moves that `requad-edit moves` lists",
       .examples = {"requad-edit move mesh/examples/figure-17.obj 153 163 --step slide_first -o moved.obj"},
-      .options =
-          editing_options({program::value("step", "NAME", "the name of the move, as `requad-edit moves` has it")}),
+      .options = editing_options({program::value(
+          "step", "NAME", "the move, by its name in `requad-edit moves`, or by its step: the first\nlegal one")}),
       .words = {2, 3},
       .run = move,
   };

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -20,33 +21,50 @@ using mesh::VertexId;
 
 namespace {
 
-// Makes the step if the mesh allows it.
-PossibleMove make_step(Session& session, const PairMove& step) {
-  PossibleMove move{name(step.step), "", Refusal::none, 0, 0};
-  const mesh::MoveReport report = mesh::move_pair(session.editor(), step);
-  move.refusal = report.refusal;
-  if (move.refusal != Refusal::none) return move;
-  move.operations = static_cast<int>(report.operations.size());
-  move.faces_gained = report.faces_made() - report.faces_deleted();
-  move.effect = extents_text(step.frame) + " becomes " + extents_text(report.inverse.frame);
-  return move;
+// Counts the operations since the mark.
+void count_operations(Session& session, std::size_t mark, PossibleMove& move) {
+  const auto& edits = session.editor().edits();
+  for (std::size_t i = mark; i < edits.size(); ++i) {
+    if (!edits[i].operates) continue;
+    ++move.operations;
+    move.faces_made += edits[i].made_face().valid() ? 1 : 0;
+    move.faces_deleted += edits[i].removed_face().valid() ? 1 : 0;
+  }
 }
 
-// Transports the adjacent pair `start` from the vertex `from` to the vertex `to`, unless that is refused.
-PossibleMove make_transport(Session& session, PairTransport& transport, VertexId from, VertexId to,
-                            AdjacentPair start) {
-  const QuadMesh& m = session.mesh();
-  const int faces = m.face_count();
-  const VertexId next = start.u(m) == from ? start.v(m) : start.u(m);
-  PossibleMove move{"from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(next)), "",
-                    Refusal::none, 0, 0};
-  const mesh::TransportReport report = transport.carry(start, std::array{to});
+// Makes the step if the mesh allows it.
+void make_step(Session& session, const PairMove& step, VertexId a, PossibleMove& move) {
+  const mesh::MoveReport report = mesh::move_pair(session.editor(), step);
   move.refusal = report.refusal;
-  if (move.refusal != Refusal::none) return move;
-  move.operations = report.steps;
-  move.faces_gained = m.face_count() - faces;
+  if (move.refusal != Refusal::none) return;
+  move.after = report.after;
+  if (step.frame.v1 != a) std::swap(move.after[0], move.after[1]);
+  move.from = step.frame;
+  move.to = report.inverse.frame;
+  move.effect = extents_text(*move.from) + " becomes " + extents_text(*move.to);
+}
+
+// Transports the adjacent pair `start`, which leaves the first of the two vertices, to the second, unless that is
+// refused.
+void make_transport(Session& session, PairTransport& transport, std::array<VertexId, 2> ends, AdjacentPair start,
+                    PossibleMove& move) {
+  const QuadMesh& m = session.mesh();
+  const VertexId moved = start.u(m) == ends[0] ? start.v(m) : start.u(m);
+  const mesh::TransportReport report = transport.carry(start, std::array{ends[1]});
+  move.refusal = report.refusal;
+  if (move.refusal != Refusal::none) return;
+  const auto if_irregular = [&session](VertexId v) {
+    return session.mesh().is_live(v) && session.editor().sectors().is_irregular(v) ? v : VertexId();
+  };
+  const VertexId u = if_irregular(report.pair.u(m)), v = if_irregular(report.pair.v(m));
+  move.after = {if_irregular(moved), u.valid() && u != moved ? u : v};
   move.effect = "the other moves by an edge too";
-  return move;
+}
+
+std::string transport_name(const Session& session, VertexId from, AdjacentPair start) {
+  const QuadMesh& m = session.mesh();
+  const VertexId next = start.u(m) == from ? start.v(m) : start.u(m);
+  return "from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(next));
 }
 
 // The adjacent pairs that can leave the vertex. The vertex is the u of such a pair where a sector lacks a quad, and the
@@ -76,19 +94,42 @@ Refusal for_each_move(Session& session, VertexId a, VertexId b, const std::funct
   if (a == b || !has_sector_of_excess_one(sectors, a) || !has_sector_of_excess_one(sectors, b))
     return EditRefusal::wrong_valences;
   const std::size_t mark = editor.mark();
-  std::vector<PairMove> steps;  // of free vertices only; features and boundaries allow transports alone
-  if (!editor.is_fixed(a) && !editor.is_fixed(b)) steps = mesh::pair_moves(session.mesh(), a, b);
-  for (const PairMove& step : steps) {
-    if (visit(make_step(session, step))) return Refusal::none;
-    editor.roll_back(mark);
-  }
-  if (!steps.empty()) return Refusal::none;
   PairTransport transport(editor);
-  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    for (const AdjacentPair start : starts_at(session, sectors, from)) {
-      if (visit(make_transport(session, transport, from, to, start))) return Refusal::none;
-      editor.roll_back(mark);
+  struct Candidate {
+    PossibleMove move;
+    std::function<void(PossibleMove&)> make;
+  };
+  std::vector<Candidate> candidates;
+  const auto add = [&candidates](const std::string& step, std::function<void(PossibleMove&)> make) {
+    Candidate& candidate = candidates.emplace_back();
+    candidate.move.step = step;
+    candidate.make = std::move(make);
+  };
+  // Steps are of free vertices only; features and boundaries allow transports alone.
+  if (!editor.is_fixed(a) && !editor.is_fixed(b)) {
+    for (const PairMove& step : mesh::pair_moves(session.mesh(), a, b))
+      add(name(step.step), [&session, step, a](PossibleMove& move) { make_step(session, step, a, move); });
+  }
+  if (candidates.empty()) {
+    for (const std::array<VertexId, 2> ends : {std::array{a, b}, std::array{b, a}}) {
+      for (const AdjacentPair start : starts_at(session, sectors, ends[0])) {
+        add(transport_name(session, ends[0], start), [&session, &transport, ends, start, a](PossibleMove& move) {
+          make_transport(session, transport, ends, start, move);
+          if (ends[0] != a) std::swap(move.after[0], move.after[1]);
+        });
+      }
     }
+  }
+  std::map<std::string, int> of_step, numbered;
+  for (const Candidate& candidate : candidates) ++of_step[candidate.move.step];
+  for (Candidate& candidate : candidates) {
+    PossibleMove& move = candidate.move;
+    move.name = move.step;
+    if (of_step[move.step] > 1) move.name += "." + std::to_string(++numbered[move.step]);
+    candidate.make(move);
+    if (move.refusal == Refusal::none) count_operations(session, mark, move);
+    if (visit(move)) return Refusal::none;
+    editor.roll_back(mark);
   }
   return Refusal::none;
 }

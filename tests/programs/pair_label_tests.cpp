@@ -84,6 +84,27 @@ nlohmann::json json_of(const std::string& arguments) {
   return nlohmann::json::parse(outcome.out);
 }
 
+// What --json says of a move, compared with the meshes before and after it. Vertices are numbered from 1.
+void check_details(const nlohmann::json& move, const mesh::QuadMesh& before, const mesh::QuadMesh& after) {
+  CHECK(text_of(move["from"]["d1"], move["from"]["d2"]) + " becomes " + text_of(move["to"]["d1"], move["to"]["d2"]) ==
+        move["effect"]);
+  const int made = move["faces_made"], deleted = move["faces_deleted"], gained = move["faces"];
+  CHECK(made - deleted == gained);
+  CHECK(after.face_count() - before.face_count() == gained);
+  const auto valence = [](const mesh::QuadMesh& m, const nlohmann::json& number) {
+    return m.valence(mesh::VertexId(number.get<int>() - 1));
+  };
+  std::set<int> numbers;
+  for (const nlohmann::json& vertex : move["vertices"]) {
+    numbers.insert(vertex["after"].get<int>());
+    const int was = valence(before, vertex["before"]), is = valence(after, vertex["after"]);
+    CHECK((is == was || is == 2 || is == 6));  // merged, if it is another one
+  }
+  std::set<int> irregular;
+  for (const mesh::VertexId v : mesh::irregular_vertices(after)) irregular.insert(v.index() + 1);
+  CHECK(numbers == irregular);
+}
+
 }  // namespace
 
 TEST_CASE("requad-edit moves and move print the d1 and d2 of the side-length equations", "[programs]") {
@@ -98,10 +119,12 @@ TEST_CASE("requad-edit moves and move print the d1 and d2 of the side-length equ
 
     int legal = 0;
     const nlohmann::json listing = json_of("moves pair.obj" + pair_in(before));
+    std::set<std::string> names;
     for (const nlohmann::json& move : listing["moves"]) {
+      CHECK(names.insert(move["name"]).second);
       if (!move["legal"].get<bool>()) continue;
       ++legal;
-      const std::string effect = move["effect"], name = move["move"];
+      const std::string effect = move["effect"], name = move["name"];
       INFO(name << ": " << effect);
       const std::string separator = " becomes ";
       const std::size_t at = effect.find(separator);
@@ -110,7 +133,9 @@ TEST_CASE("requad-edit moves and move print the d1 and d2 of the side-length equ
       const nlohmann::json made =
           json_of("move pair.obj" + pair_in(before) + " --step " + name + " --smooth 0 -o moved.obj");
       CHECK(made["effect"] == effect);
-      CHECK(labels_of(region_in("moved.obj"), sample.type).count(effect.substr(at + separator.size())) == 1);
+      const mesh::Region after = region_in("moved.obj");
+      CHECK(labels_of(after, sample.type).count(effect.substr(at + separator.size())) == 1);
+      check_details(move, before.mesh, after.mesh);
     }
     CHECK(legal >= 1);
   }
