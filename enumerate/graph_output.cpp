@@ -1,10 +1,16 @@
 #include "enumerate/graph_output.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/graph/connected_components.hpp>
 
 #include "enumerate/attributed_graph.hpp"
+#include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {
 
@@ -14,11 +20,56 @@ int third_index(theory::PairType type, const theory::Configuration& c) {
   return type.has_third_index() && !c.merged() ? c.p : 0;
 }
 
+// An edge of the configuration graph, read from node i to node j: the move that leads there, and its operations on the
+// mesh of node i's signature.
+struct Edge {
+  int i;
+  int j;
+  mesh::PairStep step;
+  std::vector<mesh::BasicOperation> script;
+
+  friend bool operator<(const Edge& a, const Edge& b) {
+    return std::tie(a.i, a.j, a.step) < std::tie(b.i, b.j, b.step);
+  }
+};
+
+// The edges between the nodes `node_of`, in the order of their ends. The moves are made again, on the meshes that
+// from_signature() gives, so that whoever has the signatures can follow the scripts.
+std::vector<Edge> edges_with_scripts(const Exploration& found, const std::vector<int>& node_of) {
+  std::unordered_map<std::string, int> index;
+  const auto signature_of = [&](std::size_t node) -> const std::string& {
+    return found.nodes[static_cast<std::size_t>(node_of[node])].signature;
+  };
+  for (std::size_t i = 0; i < node_of.size(); ++i) index.emplace(signature_of(i), static_cast<int>(i));
+  std::vector<Edge> result;
+  for (std::size_t i = 0; i < node_of.size(); ++i) {
+    const mesh::Region region = mesh::from_signature(signature_of(i));
+    for (const mesh::PairMove& move : moves_of(region, read(region, found.shape.type()))) {
+      mesh::Region after = region;
+      mesh::MoveReport report = mesh::move_pair(after.mesh, move);
+      if (report.refusal != mesh::Refusal::none) continue;
+      const auto to = index.find(mesh::signature(after));
+      if (to == index.end() || to->second < static_cast<int>(i)) continue;
+      // Of the two moves along a loop, which undo each other, one stands for it.
+      if (to->second == static_cast<int>(i) && move.step > mesh::inverse(move.step)) continue;
+      result.push_back({static_cast<int>(i), to->second, move.step, std::move(report.operations)});
+    }
+  }
+  std::stable_sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<std::string> script_lines(const std::vector<mesh::BasicOperation>& script) {
+  std::vector<std::string> lines;
+  for (const mesh::BasicOperation& operation : script) lines.push_back(mesh::to_string(operation));
+  return lines;
+}
+
 AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
-  const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
+  found_graph(found, apex, &node_of);
   AttributedGraph result;
-  std::vector<std::string> labels, signatures;
+  std::vector<std::string> labels, signatures, steps, scripts;
   std::vector<long> d1, d2, p, faces;
   for (const int index : node_of) {
     const FoundNode& node = found.nodes[static_cast<std::size_t>(index)];
@@ -32,9 +83,12 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
     faces.push_back(node.region.mesh.face_count());
   }
   result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures}};
-  for (const auto e : boost::make_iterator_range(edges(graph))) {
-    result.edges.push_back({static_cast<int>(source(e, graph)), static_cast<int>(target(e, graph))});
+  for (const Edge& edge : edges_with_scripts(found, node_of)) {
+    result.edges.push_back({edge.i, edge.j});
+    steps.push_back(mesh::name(edge.step));
+    scripts.push_back(boost::algorithm::join(script_lines(edge.script), "; "));
   }
+  result.at_edges = {{"step", steps}, {"script", scripts}};
   return result;
 }
 
@@ -57,18 +111,26 @@ nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node) {
 nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
   const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
-  nlohmann::ordered_json json{{"nodes", nlohmann::ordered_json::array()}, {"edges", nlohmann::ordered_json::array()}};
+  const auto list = nlohmann::ordered_json::array();
+  nlohmann::ordered_json json{{"nodes", list}, {"edges", list}, {"steps", list}, {"scripts", list}};
   for (const int node : node_of)
     json["nodes"].push_back(node_json(found.shape.type(), found.nodes[static_cast<std::size_t>(node)]));
-  std::vector<std::array<std::size_t, 2>> ends;
-  for (const auto e : boost::make_iterator_range(edges(graph))) {
-    ends.push_back({std::min(source(e, graph), target(e, graph)), std::max(source(e, graph), target(e, graph))});
+  const std::vector<Edge> between = edges_with_scripts(found, node_of);
+  if (between.size() != num_edges(graph)) throw std::logic_error("moves made again lead elsewhere");
+  for (const Edge& edge : between) {
+    json["edges"].push_back({edge.i, edge.j});
+    json["steps"].push_back(mesh::name(edge.step));
+    json["scripts"].push_back(script_lines(edge.script));
   }
-  std::sort(ends.begin(), ends.end());
-  for (const auto& e : ends) json["edges"].push_back(e);
   std::vector<int> component(num_vertices(graph));
   json["components"] = component.empty() ? 0 : boost::connected_components(graph, component.data());
+  json["complete"] = true;
   return json;
+}
+
+nlohmann::ordered_json empty_graph_json() {
+  const auto list = nlohmann::ordered_json::array();
+  return {{"nodes", list}, {"edges", list}, {"steps", list}, {"scripts", list}, {"components", 0}, {"complete", true}};
 }
 
 std::string graph_dot(const Exploration& found, theory::Apex apex) { return to_dot(attributed_graph(found, apex)); }

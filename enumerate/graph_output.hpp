@@ -9,10 +9,15 @@
 
 namespace requad::enumerate {
 
-// {"nodes":[{"d1":..,"d2":..,"p":..,"faces":..},...],"edges":[[i,j],...],"components":n}: each node as in node_json(),
-// and one entry for each edge of the multigraph, with i <= j, sorted; a self-loop is [i,i].
+// {"nodes":[{"d1":..,"d2":..,"p":..,"faces":..},...],"edges":[[i,j],...],"steps":["open",...],
+// "scripts":[["split 8 9 0",...],...],"components":n,"complete":true}: each node as in node_json(), and one entry for
+// each edge of the multigraph, with i <= j, sorted; a self-loop is [i,i]. The step and the script of an edge lead from i
+// to j. A script is of operations on the mesh that mesh::from_signature() makes of the signature of i.
 nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex);
-// The same graph with the attributes d1, d2, p, faces, label and signature at the nodes n0, n1, ...
+// The graph of a region that has no configuration.
+nlohmann::ordered_json empty_graph_json();
+// The same graph with the attributes d1, d2, p, faces, label and signature at the nodes n0, n1, ..., and step and script
+// at the edges.
 std::string graph_dot(const Exploration& found, theory::Apex apex);
 std::string graph_graphml(const Exploration& found, theory::Apex apex);
 

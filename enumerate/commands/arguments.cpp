@@ -1,9 +1,11 @@
 #include "enumerate/commands/arguments.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <utility>
 
 #include "mesh/files/write_obj.hpp"
+#include "mesh/geometry/drawing.hpp"
 #include "mesh/program/journal_file.hpp"
 #include "theory/counts.hpp"
 
@@ -26,6 +28,19 @@ PairType required_pair(const Options& options) {
   const auto type = theory::pair_type(text);
   if (!type) throw UsageError("--pair: '" + text + "' is not one of 3-3, 5-5, 3-5");
   return *type;
+}
+
+bool reports_odd_boundary(const Options& options) {
+  if (!options.has("sides")) return false;
+  std::int64_t sum = 0;
+  for (const std::int64_t side : program::parse_integers(options.text("sides"), "--sides")) {
+    if (side < 1 || side > 1'000'000) return false;  // refused elsewhere
+    sum += side;
+  }
+  if (sum % 2 == 0) return false;
+  std::cerr << "requad-enumerate: there is no filling: the sides have the odd sum " << sum
+            << ", and the boundary of a quadrangulated disk is even\n";
+  return true;
 }
 
 theory::RegionShape required_shape(const Options& options) {
@@ -99,8 +114,18 @@ std::string lines_of(const std::vector<std::string>& texts) {
 void finish(const Options& options, const nlohmann::ordered_json& summary, const std::string& text,
             const mesh::Region* region, const std::string& comment) {
   program::Outputs outputs;
-  if (region != nullptr && options.has("output"))
+  if (region != nullptr && options.has("output")) {
+    const int faces = region->mesh.face_count();
+    if (faces > mesh::kMostFacesDrawn) {
+      throw UsageError("-o: " + std::to_string(faces) + " faces are more than the " +
+                       std::to_string(mesh::kMostFacesDrawn) + " that can be drawn; without -o there is no limit");
+    }
+    if (faces > mesh::kMostFacesImproved && !options.quiet()) {
+      std::cerr << "requad-enumerate: " << faces << " faces are more than the " << mesh::kMostFacesImproved
+                << " whose shape is improved: the drawing is Tutte's\n";
+    }
     outputs.add(options.text("output"), mesh::obj_text(*region, {comment}));
+  }
   program::finish(options, summary.dump(), text, std::move(outputs));
 }
 

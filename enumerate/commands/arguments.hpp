@@ -17,6 +17,10 @@ namespace requad::enumerate {
 
 // --- regions with a pair ---------------------------------------------------------------------------------------------
 
+// Whether the sides of --sides have an odd sum, so that no mesh has this boundary. Says so on standard error, whatever
+// --quiet says: an empty result needs its reason.
+bool reports_odd_boundary(const program::Options& options);
+
 // The options --sides and --pair.
 std::vector<program::Option> pair_region_options();
 // Their values: the pair alone, or the shape of the region. Throw UsageError if a value is missing or wrong, or if an

@@ -1,5 +1,8 @@
 // requad-enumerate graph: the configuration graph of a region.
 
+#include <functional>
+
+#include "enumerate/attributed_graph.hpp"
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"
 #include "enumerate/graph_output.hpp"
@@ -14,15 +17,25 @@ std::string graph_text(const Exploration& found, theory::Apex apex, const std::s
   return graph_json(found, apex).dump() + "\n";
 }
 
+std::string empty_graph_text(const std::string& format) {
+  if (format == "dot") return to_dot(AttributedGraph{});
+  if (format == "graphml") return to_graphml(AttributedGraph{});
+  return empty_graph_json().dump() + "\n";
+}
+
 int graph(const program::Options& options) {
-  const theory::RegionShape shape = required_shape(options);
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
   const std::string format = options.choice("format", {"json", "dot", "graphml"}, "json");
-  const Exploration found = explore_all(shape, apex);
+  required_pair(options);
+  std::function<std::string(const std::string&)> text = empty_graph_text;
+  if (!reports_odd_boundary(options)) {
+    text = [found = explore_all(required_shape(options), apex), apex](const std::string& wanted) {
+      return graph_text(found, apex, wanted);
+    };
+  }
   program::Outputs outputs;
-  if (options.has("json")) outputs.add(options.text("json"), graph_text(found, apex, "json"));
-  if (options.has("output") || !options.on_stdout("json"))
-    outputs.add(options.text("output", "-"), graph_text(found, apex, format));
+  if (options.has("json")) outputs.add(options.text("json"), text("json"));
+  if (options.has("output") || !options.on_stdout("json")) outputs.add(options.text("output", "-"), text(format));
   outputs.commit();
   return program::kDone;
 }
@@ -38,6 +51,10 @@ program::Command graph_command() {
       .name = "graph",
       .usage = {"--sides S1,S2,... --pair 3-3|5-5|3-5"},
       .summary = "explores the configuration graph of a region by pair moves",
+      .text = R"(Each edge has the step of its move, and the script of operations that makes the
+move on the mesh that `requad-enumerate signature --from-signature` makes of the
+first node's signature.
+)",
       .examples = {"requad-enumerate graph --sides 9,9 --pair 3-3 --format dot -o grid.dot"},
       .options = std::move(options),
       .run = graph,

@@ -13,6 +13,7 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 using theory::Configuration;
+using theory::IntegerVector;
 using theory::PairType;
 
 // The form in which labels of this type are written.
@@ -46,6 +47,14 @@ Configuration required_configuration(const Options& options, const std::string& 
 }
 
 int path(const Options& options) {
+  required_pair(options);
+  if (reports_odd_boundary(options)) {
+    const auto list = ordered_json::array();
+    const IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
+    finish(options,
+           {{"sides", as_ints(sides)}, {"path", list}, {"moves", list}, {"operations", list}, {"complete", true}}, "");
+    return program::kDone;
+  }
   const theory::RegionShape shape = required_shape(options);
   const PairType type = shape.type();
   const Configuration from = required_configuration(options, "from", shape);

@@ -70,6 +70,7 @@ int run_search(const Options& options) {
   std::vector<int> sides;
   if (options.has("sides")) {
     sides = side_lengths(options);
+    reports_odd_boundary(options);
     problem = search_problem(sides, std::move(problem.irregular));
   } else {
     problem.interior_quads = required_ints(options, "interior-quads");

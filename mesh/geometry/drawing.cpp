@@ -181,7 +181,7 @@ class Drawer {
   void run() {
     if (count_ == 0) return;
     tutte();
-    improve();
+    if (mesh_.face_count() <= kMostFacesImproved) improve();
   }
 
  private:

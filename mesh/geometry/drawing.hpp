@@ -43,8 +43,15 @@ namespace requad::mesh {
 // edges. O(edges).
 std::vector<Eigen::Vector2d> outline(const std::vector<int>& sides, bool corners = true);
 
+// Larger meshes keep the Tutte embedding, since each of Newton's steps would take seconds: it is a drawing by law
+// geometry-6, but its quads can be very flat.
+inline constexpr int kMostFacesImproved = 20'000;
+// The Tutte embedding of a mesh of so many faces takes some seconds. A mesh of four times as many does not fit into
+// memory.
+inline constexpr int kMostFacesDrawn = 300'000;
+
 // Positions by vertex slot, zero for deleted vertices. The same region gives the same bits. Precondition:
-// region_problem() is "". About 10 sparse solves of about O(V^1.5) each.
+// region_problem() is "". About 10 sparse solves of about O(V^1.5) each, one beyond kMostFacesImproved.
 std::vector<Eigen::Vector2d> draw(const Region& region);
 
 // The same for a given outline: `at` has positions by vertex slot, and those of interior vertices are replaced. The
