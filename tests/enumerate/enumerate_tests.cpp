@@ -1,4 +1,6 @@
 // Generators, which are compared with each other; exploration, realisation and graph output.
+#include <sstream>
+
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/isomorphism.hpp>
 
@@ -77,6 +79,44 @@ TEST_CASE("Boost's isomorphism agrees on graphs without parallel edges", "[explo
     const auto predicted =
         theory::configuration_graph(theory::configuration_map({theory::kHexagon, s}, theory::Apex::with));
     CHECK(boost::isomorphism(found, predicted));
+  }
+}
+
+namespace {
+
+// "flip_ccw 12", "collapse 12", "split 12 34 0".
+mesh::BasicOperation operation_of(const std::string& line) {
+  using Kind = mesh::BasicOperation::Kind;
+  std::istringstream text(line);
+  std::string kind;
+  int h = -1, last = -1, corner = 0;
+  text >> kind >> h >> last >> corner;
+  return {kind == "flip_ccw"  ? Kind::flip_ccw
+          : kind == "flip_cw" ? Kind::flip_cw
+          : kind == "split"   ? Kind::split
+                              : Kind::collapse,
+          mesh::HalfEdgeId(h), mesh::HalfEdgeId(kind == "split" ? last : -1), corner};
+}
+
+}  // namespace
+
+TEST_CASE("the script of each edge leads from the mesh of one signature to that of the other", "[exploration]") {
+  for (const theory::RegionShape& shape :
+       {theory::RegionShape(theory::kDigon, sides({9, 9})), theory::RegionShape(theory::kDigon, sides({3, 3})),
+        theory::RegionShape(theory::kHexagon, sides({3, 3, 3, 3, 3, 3})),
+        theory::RegionShape(theory::kQuad, sides({3, 5, 4, 4}))}) {
+    for (const theory::Apex apex : {theory::Apex::without, theory::Apex::with}) {
+      const nlohmann::json graph = graph_json(explore_all(shape, apex), apex);
+      REQUIRE(graph["steps"].size() == graph["edges"].size());
+      REQUIRE(graph["scripts"].size() == graph["edges"].size());
+      for (std::size_t e = 0; e < graph["edges"].size(); ++e) {
+        mesh::Region region =
+            mesh::from_signature(std::string(graph["nodes"][graph["edges"][e][0].get<int>()]["signature"]));
+        for (const std::string line : graph["scripts"][e])
+          REQUIRE(mesh::apply(region.mesh, operation_of(line)).refusal == mesh::Refusal::none);
+        REQUIRE(mesh::signature(region) == graph["nodes"][graph["edges"][e][1].get<int>()]["signature"]);
+      }
+    }
   }
 }
 

@@ -48,7 +48,6 @@ TEST_CASE("bad arguments give one line on stderr, nothing on stdout, and exit co
       {"enumerate", "graph --pair 3-3"},
       {"enumerate", "graph --sides 6,6"},
       {"enumerate", "graph --sides 6,6 --pair 4-4"},
-      {"enumerate", "graph --sides 6,7 --pair 3-3"},  // odd sum
       {"enumerate", "graph --sides 6,6,6 --pair 3-3"},
       {"enumerate", "graph --sides 0,6 --pair 3-3"},
       {"enumerate", "graph --sides 6,6 --pair 3-3 --format poem"},
@@ -98,6 +97,28 @@ TEST_CASE("bad arguments give one line on stderr, nothing on stdout, and exit co
     CHECK(tests::line_count(outcome.err) == 1);
     CHECK(outcome.err.rfind("requad-" + program + ": ", 0) == 0);
   }
+}
+
+TEST_CASE("a boundary of odd length has no filling: each command says so and why, and ends well", "[programs]") {
+  for (const std::string command :
+       {"graph --sides 6,7 --pair 3-3", "graph --sides 6,7 --pair 3-3 --format dot",
+        "graph --sides 3,3,3,3,3,4 --pair 5-5 --format graphml", "search --sides 6,7 --irregular 3,3",
+        "path --sides 6,7 --pair 3-3 --from 1,1 --to 2,2"}) {
+    INFO(command);
+    const Outcome outcome = call("enumerate", command);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.find("odd sum") != std::string::npos);
+    CHECK(line_count(outcome.err) == 1);
+    CHECK(outcome.out.find("signature") == std::string::npos);
+  }
+  CHECK(call("enumerate", "graph --sides 6,7 --pair 3-3").out.find(R"("nodes":[],"edges":[])") != std::string::npos);
+}
+
+TEST_CASE("a region that is too large to be drawn is refused at -o, and described without it", "[programs]") {
+  const Outcome drawn = call("enumerate", "region digon 600 600 1,1 -o large.obj");
+  CHECK(drawn.code == 2);
+  CHECK(drawn.err.find("can be drawn") != std::string::npos);
+  CHECK(call("enumerate", "region digon 600 600 1,1").code == 0);
 }
 
 TEST_CASE("requad-enumerate graph: the counts of the theorems", "[programs]") {
