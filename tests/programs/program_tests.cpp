@@ -94,7 +94,7 @@ TEST_CASE("bad arguments give one line on stderr, nothing on stdout, and exit co
     const Outcome outcome = call(program, arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
-    CHECK(tests::line_count(outcome.err) == 1);
+    CHECK(line_count(outcome.err) == 1);
     CHECK(outcome.err.rfind("requad-" + program + ": ", 0) == 0);
   }
 }
@@ -229,7 +229,7 @@ TEST_CASE("certificates are checked again", "[programs]") {
   CHECK(held.code == 0);
   CHECK(held.out.find("certificates hold") != std::string::npos);
   // What else is wrong with certificates: tests/verify/check/.
-  tests::spill(scratch() / "proof" / "3-3-4-4.txt", "requad certificate 2\n");
+  spill(scratch() / "proof" / "3-3-4-4.txt", "requad certificate 2\n");
   const Outcome cut = call("verify", "check proof");
   CHECK(cut.code == 1);
   CHECK(cut.err == "requad-verify-check: 3-3-4-4.txt:2: the file ends too early\n");
@@ -244,7 +244,7 @@ TEST_CASE("certificates are checked again", "[programs]") {
 TEST_CASE("requad-figures writes the files that it lists", "[programs]") {
   const Outcome made = call("figures", "-o pictures --page");
   CHECK(made.code == 0);
-  CHECK(tests::line_count(made.out) == 17 + 7 + 1);  // an SVG of each, a DOT of each grid, the page
+  CHECK(line_count(made.out) == 17 + 7 + 1);  // an SVG of each, a DOT of each grid, the page
   for (const std::string number : {"10", "11", "12"}) {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
