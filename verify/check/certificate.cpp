@@ -73,8 +73,11 @@ class Certificate {
     Labelling claimed{number(head[5]), number(head[7]), number(head[9]), {}};
     for (std::size_t s = 0; s < k; ++s) claimed.e.push_back(number(head[11 + s]));
     const int vertices = number(head[12 + k]);
+    // A disk of such little curvature has less than perimeter^2 faces; the limit keeps the memory small.
+    const int claimed_faces = number(head[14 + k]);
+    require(claimed_faces <= region_.perimeter() * region_.perimeter(), "a mesh has too many faces");
     std::vector<Face> faces;
-    for (int f = number(head[14 + k]); f > 0; --f) {
+    for (int f = claimed_faces; f > 0; --f) {
       const Words& words = lines_.next("", 4);
       faces.push_back({number(words[0]), number(words[1]), number(words[2]), number(words[3])});
     }

@@ -64,8 +64,9 @@ const std::vector<std::string_view>& Lines::next(std::string_view first, std::si
 }
 
 void Lines::finish() {
+  if (!read_line()) return;
   ++number_;
-  require(!read_line(), "the file goes on after 'end'");
+  throw Rejected("the file goes on after 'end'");
 }
 
 std::string Lines::checksum() const {

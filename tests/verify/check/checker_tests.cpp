@@ -159,8 +159,45 @@ TEST_CASE("what is hostile ends soon, in one line", "[checker]") {
         "9999999 configurations, but the closed form gives 2");
   CHECK(reason(head +
                "4 4\nconfigurations 2\nmerged 9999999\nedges 9999999\nmesh 0 pair (1,1) d1 1 d2 1 p 1 strips 1 1 "
-               "vertices 9999999 faces 9999999\n0 1 2 3\n") == "the file ends too early");
+               "vertices 9999999 faces 9999999\n0 1 2 3\n") == "a mesh has too many faces");
   CHECK(reason(head + "4 4\nconfigurations 2\nmerged 0\nedges 0\nmesh 0 pair (1,1) d1 1 d2 1 p 1 strips 1 1 "
                       "vertices 9999999 faces 1\n0 1 2 3\n") ==
         "the numbers of vertices and faces are not those of a disk");
+}
+
+TEST_CASE("a hostile MANIFEST ends soon, in one line", "[checker]") {
+  struct Hostile {
+    std::string manifest;  // after its title
+    int code;
+    std::string message;
+  };
+  const std::string family = "family regular-digons sides ";
+  const std::vector<Hostile> all{
+      {"", 1, "MANIFEST:2: the file ends too early"},
+      {family + "3..4\ncertificates 9999999\n", 1, "MANIFEST:4: the file ends too early"},
+      {family + "3..101\n", 2, "MANIFEST: regular-digons beyond 100 are not checked"},
+      {family + "0..4\n", 1, "MANIFEST:2: a range starts with 0"},
+      {family + "3-4\n", 1, "MANIFEST:2: a range is not of the form A..B"},
+      {family + "3..4..5\n", 1, "MANIFEST:2: '4..5' is no number"},
+      {"family regular-digons perimeters 3..4\n", 1, "MANIFEST:2: the sizes of this family are others"},
+      {"family octagons sides 3..4\n", 1, "MANIFEST:2: there is no such family"},
+      {family + "5..4\ncertificates 0\nend\n", 2, "folder/MANIFEST lists no certificate"},
+      {family + "1..2\ncertificates 0\nend\n", 2, "folder/MANIFEST lists no certificate"},
+      {family + "3..4\ncertificates 0\nend\n", 1, "MANIFEST:4: 3-3-3-3.txt is missing"},
+      {family + "3..3\ncertificates 1\n../../etc/passwd 0\nend\n", 1,
+       "MANIFEST:5: ../../etc/passwd is no region of the families"},
+      {family + "3..3\ncertificates 1\n3-3-3-3.txt 0\nend\n", 2, "folder/3-3-3-3.txt cannot be read"},
+      {family + "3..3\ncertificates 1\n3-3-3-3.txt 0\nend\n\n", 1, "MANIFEST:6: the file goes on after 'end'"},
+      // The most regions that a MANIFEST can ask for: it lists none of them.
+      {"family 3-5-regions perimeters 1..100\nfamily other-hexagons perimeters 1..40\ncertificates 0\nend\n", 1,
+       "MANIFEST:5: 3-5-2-2-3-3.txt is missing"},
+  };
+  for (const Hostile& hostile : all) {
+    INFO(hostile.manifest);
+    std::filesystem::create_directory(tests::scratch() / "folder");
+    tests::spill(tests::scratch() / "folder/MANIFEST", "requad manifest 2\n" + hostile.manifest);
+    const auto outcome = tests::call("verify", "check folder");
+    CHECK(outcome.code == hostile.code);
+    CHECK(outcome.err == "requad-verify-check: " + hostile.message + "\n");
+  }
 }
