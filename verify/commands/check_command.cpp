@@ -28,9 +28,8 @@ program::Command check_command(const Processes& processes, const char* self) {
       .name = "check",
       .usage = {"DIR"},
       .summary = "checks certificates again, by a program that shares no code with what made them",
-      .text = R"(DIR is a folder that --certificate wrote. verify/README.md says what certificates
-show. Exit code 0: all certificates hold, 1: one does not, 2: one cannot be
-read.
+      .text = R"(DIR is a folder that --certificate wrote. verify/README.md says what it shows.
+Exit code 0: all certificates hold, 1: one does not, 2: one cannot be read.
 )",
       .examples = {"requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof"},
       .options = {},
