@@ -5,6 +5,8 @@
 
 #include "enumerate/exploration.hpp"
 #include "mesh/topology/separatrix.hpp"
+#include "verify/case_list.hpp"
+#include "verify/studies/study.hpp"
 
 namespace requad::verify {
 
@@ -34,6 +36,25 @@ std::size_t points_up_to(int bound) {
   std::size_t count = 0;
   for (int s = 1; s <= bound; ++s) count += static_cast<std::size_t>(s) + 1;
   return count;
+}
+
+// The smallest region that can be filled with three irregular vertices, but not with fewer.
+std::optional<Erratum> three_without_room() {
+  Ranges ranges;
+  ranges.other_perimeter = {7, 20};
+  for (const RegionCase& region : list_cases(ranges, {Family::three_vertices})) {
+    const auto s = std::get<TripleStudy>(study(region, {Method::search}));
+    if (s.fillings.empty() || !s.fewer.empty()) continue;
+    return Erratum{
+        "Section 1",
+        "A region with three irregular vertices can be edited by canceling or merging the irregular vertices.",
+        "True if one of them is a v3, as far as all fillings were searched. Three v5s need room: some regions can be "
+        "filled with three v5s, but with no fewer irregular vertices of any valences.",
+        describe(region) + ": " + std::to_string(s.fillings.size()) + " filling of " +
+            std::to_string(s.fillings.front().mesh.face_count()) + " faces, signature " + s.signatures.front() +
+            ", and none with one or two irregular vertices"};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -90,6 +111,7 @@ std::vector<Erratum> find_errata() {
                               " irregular vertices inside, G = " + std::to_string(mesh::total_index(region.mesh)) +
                               ", " + std::to_string(mesh::side_lengths(region).size()) + " sides";
                      }));
+  add(three_without_room());
   return found;
 }
 

@@ -1,5 +1,6 @@
-// Slips in the paper's text. Each is found by comparing the text with what moves find, and comes with the smallest
-// region that shows it. All of them are matters of wording: the theorems hold as the claims here state them.
+// Slips in the paper's text. Each is found by comparing the text with what moves or the search find, and comes with the
+// smallest region that shows it. All but the last are matters of wording: the theorems hold as the claims here state
+// them. The last is a sentence of section 1 that is false of three v5s.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ struct Erratum {
   std::string instance;  // the region that shows it
 };
 
-// Looks for each slip in regular regions of increasing side. Lists the slips for which a region is found.
+// Looks for each slip in regions of increasing size. Lists the slips for which a region is found.
 std::vector<Erratum> find_errata();
 
 }  // namespace requad::verify

@@ -178,7 +178,7 @@ TEST_CASE("the HTML report has a section for each claim and is self-contained", 
 
 TEST_CASE("errata come with instances", "[verify]") {
   const auto errata = find_errata();
-  CHECK(errata.size() == 5);
+  CHECK(errata.size() == 6);
   for (const Erratum& e : errata) {
     CHECK(!e.instance.empty());
     CHECK(e.written != e.found);
@@ -477,11 +477,32 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     return std::get<TripleStudy>(study(TripleCase{{3, 3, 5}, s}, kAll));
   };
   const TripleStudy equal = three(sides({4, 4, 4}));
-  fails("N3", equal, [](TripleStudy& x) { x.with_one.clear(); });
-  fails("N3", equal, [](TripleStudy& x) { x.with_one.front() += "0"; });
+  REQUIRE(equal.fewer.at({3}).size() == 1);
+  fails("N3", equal, [](TripleStudy& x) { x.fewer.erase({3}); });
+  fails("N3", equal, [](TripleStudy& x) { x.fewer.at({3}).front() += "0"; });
   const TripleStudy other = three(sides({2, 4, 6}));
-  fails("N3", other, [](TripleStudy& x) { x.with_two.clear(); });
-  fails("N3", other, [](TripleStudy& x) { x.with_one.push_back("0"); });
+  REQUIRE(other.fewer.count({2, 5}) == 1);
+  fails("N3", other, [](TripleStudy& x) { x.fewer.erase({2, 5}); });
+  fails("N3", other, [](TripleStudy& x) { x.fewer[{3}].push_back("0"); });
+  // An edit that makes something unknown, fillings that no edit joins to the rest, and fillings from which no edit leads
+  // to fewer vertices.
+  fails("N3", equal, [](TripleStudy& x) { x.edits.front().push_back({{3, 3, 5}, "0"}); });
+  fails("N3", other, [](TripleStudy& x) { x.edits.back().push_back({{2, 5}, "0"}); });
+  fails("N3", three(sides({4, 5, 5})), [](TripleStudy& x) {
+    for (auto& edits : x.edits) edits.clear();
+  });
+  const auto three_v5 = [](const theory::IntegerVector& s) {
+    return std::get<TripleStudy>(study(TripleCase{{5, 5, 5}, s}, kAll));
+  };
+  // No filling has fewer irregular vertices. This is the region of the erratum.
+  const TripleStudy no_room = three_v5(sides({2, 2, 3, 3, 2, 2, 4}));
+  CHECK(no_room.fewer.empty());
+  CHECK(claim("N3").judge(no_room).row["not_edited"] == no_room.signatures);
+  CHECK(find_errata().back().instance.find("sides 2 2 3 3 2 2 4") != std::string::npos);
+  CHECK(find_errata().back().instance.find(no_room.signatures.front()) != std::string::npos);
+  fails("N3", no_room, [](TripleStudy& x) { x.fewer[{5, 6}].push_back("0"); });
+  const TripleStudy room = three_v5(sides({2, 3, 2, 4, 2, 3, 4}));
+  fails("N3", room, [](TripleStudy& x) { x.fewer.clear(); });
   // Claim A1 for a pair that is not adjacent.
   const PairStudy adjacent = study_of(theory::kQuad, sides({5, 4, 4, 5}));
   fails("A1", adjacent, [&](PairStudy& x) {

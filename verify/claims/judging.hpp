@@ -123,7 +123,8 @@ Judgement judge_distance_changed(const PairStudy& s);  // P2
 Judgement judge_faces(const PairStudy& s);             // P3
 Judgement judge_locality(const PairStudy& s);          // N4
 // transport.cpp
-Judgement judge_detour(const PairStudy& s);            // P4
+Judgement judge_detour(const PairStudy& s);  // P4
+// three_vertices.cpp
 Judgement judge_three_vertices(const TripleStudy& s);  // N3
 // regions.cpp
 Judgement judge_gauss_bonnet(const PairStudy& s);  // G1

@@ -165,11 +165,16 @@ std::vector<Claim> operation_claims() {
       {
           .id = "P4",
           .where = "section 6",
-          .statement = "The transported pair may take any path, so a sharp feature stays untouched.",
-          .compares = "adjacent pairs transported in all directions, with a feature on an edge that the direct path "
-                      "removes: the feature, the configurations they make, those that moves reach",
-          .fails_if = "a transported pair removes the feature or makes a configuration that no move reaches, or a "
-                      "refusal changes the mesh",
+          .statement =
+              "The transported pair may take any path, so a sharp feature stays untouched: wherever a path leads round "
+              "it, a transport takes one, and every path makes what a move makes.",
+          .compares = "each move again, with a feature on an edge that its direct path removes: what the move and "
+                      "transports in all directions make, and whether the feature is there; up to perimeter 12 what "
+                      "basic operations make that move one adjacent pair round the feature in any order",
+          .fails_if =
+              "a transport removes the feature or makes what no move makes; some order of operations round the "
+              "feature makes what no move makes, or none makes what a transport made; all transports are refused "
+              "though some order leads round the feature",
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_detour,

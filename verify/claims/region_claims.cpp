@@ -234,12 +234,19 @@ std::vector<Claim> region_claims() {
           .id = "N3",
           .where = "section 1",
           .statement =
-              "Three irregular vertices can be edited by cancelling or merging: a 3-5 pair is cancelled with the help "
-              "of the third iff the region can be filled with one vertex, and then in every configuration.",
-          .compares = "every filling with three vertices, found by search: cancelled and merged by transport and "
-                      "moves, the results among the fillings with one or two vertices that the search finds",
-          .fails_if = "an operation makes a filling that the search does not know, or a pair is cancelled in some "
-                      "fillings of a region but not where the search finds one with one vertex",
+              "Three irregular vertices, a v3 among them, can be edited by cancelling or merging: from every filling "
+              "pair moves, transports and single operations lead to fewer irregular vertices. (A 3-5 pair is cancelled "
+              "at once, with the help of the third, iff the region can be filled with one vertex, and then in every "
+              "filling. With two v3s, edits join all fillings of a region. Three v5s need room: basic operations lead "
+              "to fewer irregular vertices iff the region has such a filling.)",
+          .compares = "every filling with three vertices, found by search, and the graph of all edits between them; "
+                      "the fillings with one or two vertices of any valences, by search, and those that edits reach",
+          .fails_if =
+              "an edit makes a filling that the search does not know; no path of edits leads from a filling with "
+              "a v3 to fewer vertices; a pair is cancelled in some fillings of a region but not where the "
+              "search finds one with one vertex; from three v5s operations reach fewer vertices but the search "
+              "finds no such filling, or the other way round; no edit reaches a filling with fewer vertices "
+              "that an operation parts",
           .families = {three_vertices},
           .methods = {kSearch},
           .check = judge_three_vertices,

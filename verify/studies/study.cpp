@@ -45,6 +45,25 @@ int PairStudy::pairs_found() const {
   return count;
 }
 
+std::vector<int> TripleStudy::after_merging() const {
+  // Two of the three are equal, the middle one among them.
+  const std::vector<int>& three = region.valences;
+  std::vector<int> two{2 * three[1] - 4, three[0] == three[1] ? three[2] : three[0]};
+  std::sort(two.begin(), two.end());
+  return two;
+}
+
+std::optional<std::vector<int>> TripleStudy::after_cancelling() const {
+  const std::vector<int>& three = region.valences;
+  return three.front() == 3 && three.back() == 5 ? std::optional(std::vector{three[1]}) : std::nullopt;
+}
+
+const Signatures& TripleStudy::fewer_with(const std::vector<int>& valences) const {
+  static const Signatures kNone;
+  const auto found = fewer.find(valences);
+  return found == fewer.end() ? kNone : found->second;
+}
+
 namespace {
 
 // All fillings of a boundary with these irregular valences, by signature.
@@ -80,16 +99,31 @@ VertexStudy study_vertex(const VertexCase& region, const std::set<Method>& metho
   return s;
 }
 
+// Every multiset of one or two irregular valences with the index of three vertices of these.
+std::vector<std::vector<int>> fewer_valences(const std::vector<int>& three) {
+  const int index = 12 - three[0] - three[1] - three[2];
+  std::vector<std::vector<int>> result;
+  if (4 - index >= 2) result.push_back({4 - index});
+  for (int least = 2; 2 * least <= 8 - index; ++least) {
+    const int other = 8 - index - least;
+    if (least != 4 && other != 4) result.push_back({least, other});
+  }
+  return result;
+}
+
 TripleStudy study_triple(const TripleCase& region, const std::set<Method>& methods) {
-  TripleStudy s{region, methods.count(Method::search) > 0, {}, {}, {}};
+  TripleStudy s{region, methods.count(Method::search) > 0, {}, {}, {}, {}};
   if (!s.searched) return s;
-  const std::vector<int>& valences = region.valences;
-  for (auto& [signature, filling] : fillings(region.sides, valences)) s.fillings.push_back(std::move(filling));
-  if (valences.front() == 3 && valences.back() == 5)
-    s.with_one = signatures(region.sides, {static_cast<int>(region.sides.size())});
-  // Two of the three are equal, the middle one among them.
-  const bool low = valences[0] == valences[1];
-  s.with_two = signatures(region.sides, {2 * valences[1] - 4, low ? valences[2] : valences[0]});
+  for (auto& [signature, filling] : fillings(region.sides, region.valences)) {
+    s.signatures.push_back(signature);
+    s.fillings.push_back(std::move(filling));
+  }
+  if (s.fillings.empty()) return s;  // there is nothing to edit
+  for (const std::vector<int>& valences : fewer_valences(region.valences)) {
+    Signatures found = signatures(region.sides, valences);
+    if (!found.empty()) s.fewer.emplace(valences, std::move(found));
+  }
+  for (const mesh::Region& filling : s.fillings) s.edits.push_back(enumerate::edit_results(filling));
   return s;
 }
 

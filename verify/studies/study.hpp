@@ -6,12 +6,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "enumerate/edits.hpp"
 #include "enumerate/exploration.hpp"
 #include "enumerate/walk.hpp"
 #include "theory/configuration_graph.hpp"
@@ -60,11 +62,19 @@ struct VertexStudy {
 
 struct TripleStudy {
   TripleCase region;
-  bool searched = false;  // if not, all of these are empty
+  bool searched = false;  // if not, everything below is empty
   // Found by a search.
-  std::vector<mesh::Region> fillings;  // with the three vertices
-  Signatures with_one;                 // with the one vertex that remains when a v3 and a v5 cancel
-  Signatures with_two;                 // with the two vertices that remain when two equal ones merge
+  std::vector<mesh::Region> fillings;            // with the three vertices
+  Signatures signatures;                         // of these, in the same order
+  std::map<std::vector<int>, Signatures> fewer;  // fillings with fewer irregular vertices, by their valences
+  // Found by edits.
+  std::vector<std::vector<enumerate::EditResult>> edits;  // what one edit makes of each filling
+
+  // The valences of the two vertices that remain when two equal ones merge, and of the one that remains when a v3 and a
+  // v5 cancel (nothing without such a pair).
+  std::vector<int> after_merging() const;
+  std::optional<std::vector<int>> after_cancelling() const;
+  const Signatures& fewer_with(const std::vector<int>& valences) const;  // empty if there are none
 };
 
 using Study = std::variant<PairStudy, VertexStudy, TripleStudy>;

@@ -1,0 +1,242 @@
+#include "enumerate/edits.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <set>
+#include <utility>
+
+#include "mesh/irregular/pair_moves.hpp"
+#include "mesh/irregular/transport.hpp"
+#include "mesh/topology/separatrix.hpp"
+#include "mesh/topology/signature.hpp"
+
+namespace requad::enumerate {
+
+using mesh::BasicOperation;
+using mesh::HalfEdgeId;
+using mesh::QuadMesh;
+using mesh::Refusal;
+using mesh::Region;
+using mesh::VertexId;
+
+std::vector<int> irregular_valences(const QuadMesh& m) {
+  std::vector<int> valences;
+  for (const VertexId v : mesh::irregular_vertices(m)) valences.push_back(m.valence(v));
+  std::sort(valences.begin(), valences.end());
+  return valences;
+}
+
+namespace {
+
+// Calls visit(operation) for every basic operation that is legal and changes the valence of an irregular vertex, but of
+// none on the boundary. (Any other one leaves all irregular vertices and makes more.)
+template <class Visit>
+void for_each_operation(const QuadMesh& m, Visit&& visit) {
+  using Kind = BasicOperation::Kind;
+  const auto offer = [&](const BasicOperation& op) {
+    if (mesh::why_not(m, op) != Refusal::none) return;
+    bool irregular = false;
+    for (const VertexId v : mesh::changed_vertices(m, op)) {
+      if (!v.valid()) continue;
+      if (m.is_boundary(v)) return;
+      irregular = irregular || m.valence(v) != 4;
+    }
+    if (irregular) visit(op);
+  };
+  for (const HalfEdgeId h : m.half_edges()) {
+    offer({Kind::collapse, h, {}, 0});
+    if (m.is_boundary(h)) continue;
+    offer({Kind::flip_ccw, h, {}, 0});
+    offer({Kind::flip_cw, h, {}, 0});
+    const VertexId v = m.target(h);
+    if (m.is_boundary(v)) continue;
+    m.for_each_out(v, [&](HalfEdgeId first) {
+      if (first != m.twin(h)) offer({Kind::split, first, h, 0});
+    });
+  }
+}
+
+// The half-edges, from v3 to v5, of the adjacent pairs that v can leave behind.
+std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
+  std::vector<HalfEdgeId> result;
+  m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(m.valence(v) < 4 ? h : m.twin(h)); });
+  return result;
+}
+
+// Every set of these vertices but the empty one.
+std::vector<std::vector<VertexId>> choices(const std::vector<VertexId>& vertices) {
+  std::vector<std::vector<VertexId>> sets{{}};
+  for (const VertexId v : vertices) {
+    for (std::size_t i = 0, n = sets.size(); i < n; ++i) {
+      sets.push_back(sets[i]);
+      sets.back().push_back(v);
+    }
+  }
+  sets.erase(sets.begin());
+  return sets;
+}
+
+// Collects what edits make of one region.
+class Results {
+ public:
+  Results(const Region& region, std::size_t most) : corner_(region.mesh.origin(region.root)), most_(most) {}
+
+  void add(const QuadMesh& m) {
+    std::vector<int> valences = irregular_valences(m);
+    if (valences.size() <= most_) found_.insert({std::move(valences), mesh::signature(m, m.out(corner_))});
+  }
+  std::vector<EditResult> sorted() const { return {found_.begin(), found_.end()}; }
+
+ private:
+  VertexId corner_;
+  std::size_t most_;
+  std::set<EditResult> found_;
+};
+
+void add_operations(const Region& region, Results& results) {
+  for_each_operation(region.mesh, [&](const BasicOperation& op) {
+    QuadMesh m = region.mesh;
+    mesh::apply(m, op);
+    results.add(m);
+  });
+}
+
+}  // namespace
+
+std::vector<EditResult> operation_results(const Region& region, std::size_t most) {
+  Results results(region, most);
+  add_operations(region, results);
+  return results.sorted();
+}
+
+std::vector<EditResult> edit_results(const Region& region) {
+  const std::vector<VertexId> irregular = mesh::irregular_vertices(region.mesh);
+  Results results(region, irregular.size());
+  add_operations(region, results);
+  QuadMesh m = region.mesh;
+  mesh::Editor editor(m);
+  mesh::PairTransport transport(editor);
+  for (const VertexId from : irregular) {
+    std::vector<VertexId> others = irregular;
+    std::erase(others, from);
+    for (const VertexId to : others) {
+      if (to < from) continue;
+      for (const mesh::PairMove& move : mesh::pair_moves(m, from, to)) {
+        if (mesh::move_pair(editor, move).refusal != Refusal::none) continue;
+        results.add(m);
+        editor.roll_back();
+      }
+    }
+    for (const HalfEdgeId start : departures(m, from)) {
+      for (const std::vector<VertexId>& targets : choices(others)) {
+        for (const bool may_cross : {false, true}) {
+          if (transport.carry({start}, targets, may_cross).refusal != Refusal::none) continue;
+          results.add(m);
+          editor.roll_back();
+        }
+      }
+    }
+  }
+  return results.sorted();
+}
+
+std::optional<EditResult> fewer_by_operations(const Region& region, int most_irregularity) {
+  const VertexId corner = region.mesh.origin(region.root);
+  const std::size_t had = mesh::irregular_vertices(region.mesh).size();
+  std::set<std::string> seen{mesh::signature(region)};
+  std::deque<QuadMesh> queue{region.mesh};
+  std::optional<EditResult> fewer;
+  while (!queue.empty() && !fewer) {
+    const QuadMesh m = std::move(queue.front());
+    queue.pop_front();
+    for_each_operation(m, [&](const BasicOperation& op) {
+      if (fewer) return;
+      QuadMesh next = m;
+      mesh::apply(next, op);
+      std::vector<int> valences = irregular_valences(next);
+      int irregularity = 0;
+      for (const int l : valences) irregularity += std::abs(4 - l);
+      if (irregularity > most_irregularity) return;
+      std::string signature = mesh::signature(next, next.out(corner));
+      if (!seen.insert(signature).second) return;
+      if (valences.size() < had) {
+        fewer = {std::move(valences), std::move(signature)};
+      } else {
+        queue.push_back(std::move(next));
+      }
+    });
+  }
+  return fewer;
+}
+
+namespace {
+
+int irregularity(const QuadMesh& m) {
+  int sum = 0;
+  for (const VertexId v : mesh::irregular_vertices(m)) sum += std::abs(4 - m.valence(v));
+  return sum;
+}
+
+// Whether the mesh has some v3 or v2 beside a vertex of valence 5 or more.
+bool has_adjacent_pair(const QuadMesh& m) {
+  const std::vector<VertexId> irregular = mesh::irregular_vertices(m);
+  return std::any_of(irregular.begin(), irregular.end(), [&](VertexId u) {
+    return m.valence(u) < 4 && std::any_of(irregular.begin(), irregular.end(),
+                                           [&](VertexId v) { return m.valence(v) > 4 && m.adjacent(u, v); });
+  });
+}
+
+// The mesh up to isomorphism rel boundary, with its feature edges: two meshes with one text are the same.
+std::string text_with_features(const QuadMesh& m, HalfEdgeId root, const mesh::FeatureSet& features) {
+  std::string text = mesh::signature(m, root);
+  std::vector<bool> met(static_cast<std::size_t>(m.face_capacity()), false);
+  std::deque<HalfEdgeId> queue{root};  // one half-edge of each face, by which the face is entered
+  met[QuadMesh::face(root).slot()] = true;
+  for (int number = 0; !queue.empty();) {
+    HalfEdgeId h = queue.front();
+    queue.pop_front();
+    for (int k = 0; k < 4; ++k, ++number, h = QuadMesh::next(h)) {
+      if (features.is_edge(m.origin(h), m.target(h))) text += ' ' + std::to_string(number);
+      const HalfEdgeId beyond = m.twin(h);
+      if (!beyond.valid() || met[QuadMesh::face(beyond).slot()]) continue;
+      met[QuadMesh::face(beyond).slot()] = true;
+      queue.push_back(beyond);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> transports_round(const Region& region, const mesh::FeatureSet& features) {
+  const VertexId corner = region.mesh.origin(region.root);
+  const std::size_t had = mesh::irregular_vertices(region.mesh).size();
+  const int least = irregularity(region.mesh);
+  std::set<std::string> seen{text_with_features(region.mesh, region.root, features)};
+  std::set<std::string> ends;
+  std::deque<QuadMesh> queue{region.mesh};
+  while (!queue.empty()) {
+    const QuadMesh m = std::move(queue.front());
+    queue.pop_front();
+    for_each_operation(m, [&](const BasicOperation& op) {
+      if (features.why_not(m, op) != Refusal::none) return;
+      for (const VertexId v : mesh::changed_vertices(m, op)) {
+        if (v.valid() && features.is_vertex(v)) return;
+      }
+      QuadMesh next = m;
+      mesh::apply(next, op);
+      const bool arrived = irregularity(next) == least && mesh::irregular_vertices(next).size() == had;
+      if (!arrived && (irregularity(next) > least + 2 || !has_adjacent_pair(next))) return;
+      const HalfEdgeId root = next.out(corner);
+      if (arrived) {
+        ends.insert(mesh::signature(next, root));
+      } else if (seen.insert(text_with_features(next, root, features)).second) {
+        queue.push_back(std::move(next));
+      }
+    });
+  }
+  return {ends.begin(), ends.end()};
+}
+
+}  // namespace requad::enumerate
