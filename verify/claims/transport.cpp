@@ -25,7 +25,7 @@ namespace {
 // Larger regions repeat what smaller ones show.
 constexpr int kLargestDetour = 30;  // perimeter
 // The largest perimeter for which transports are exhausted.
-constexpr int kLargestExhaustion = 12;
+constexpr int kLargestAllPaths = 12;
 
 std::string signature_of(const Region& before, const QuadMesh& after) {
   return mesh::signature(after, after.out(before.mesh.origin(before.root)));
@@ -124,7 +124,7 @@ Judgement judge_detour(const PairStudy& s) {
     const auto feature = edge_removed(s.found.nodes[static_cast<std::size_t>(move.from)], move);
     if (feature) obstructed.push_back({&move, *feature});
   }
-  const bool exhausted = s.shape.perimeter() <= kLargestExhaustion;
+  const bool exhausted = s.shape.perimeter() <= kLargestAllPaths;
   int made = 0, possible = 0;
   Judgement j = for_each_of(
       obstructed, "obstructed move",
