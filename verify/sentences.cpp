@@ -19,6 +19,12 @@ const std::vector<UndecidedSentence>& undecided_sentences() {
        .reason =
            "It depends on weights and a threshold that the paper does not give. requad-edit measures both on each "
            "mesh that it writes."},
+      {.where = "section 9",
+       .sentence =
+           "On a triangle mesh the simplest edits move a 5-7, a 5-5 or a 7-7 pair. The first keeps the relative "
+           "distance, the other two change it, as on a quad mesh a 3-5, a 3-3 and a 5-5 pair do.",
+       .reason = "requad has quad meshes only: the operations, the labels and the search of fillings are about quads. "
+                 "Claims T1, P1 and P2 check what the section says of quad meshes."},
       {.where = "section 10, Figures 1, 15",
        .sentence =
            "The panel structure has 24 irregular vertices after the edits, in place of 168, in about 12 minutes; "

@@ -189,15 +189,37 @@ TEST_CASE("every proof fails on false premises", "[proofs]") {
     fails([](QuadPremises& p) { p.law.strips(0, 1) = 2; });
   }
   SECTION("T11") {
-    SideLaw law = side_law(kHexagon);
-    law.strips.row(0) = law.strips.row(2);
-    check_fails(prove_strips_determined({law}));
-    law = side_law(kQuad);
-    law.last = law.first;
-    check_fails(prove_strips_determined({law}));
-    law = side_law(kQuad);
-    law.strips.row(1) = law.strips.row(3) = law.strips.row(0);
-    check_fails(prove_strips_determined({law}));
+    CrossingLaw of = crossing_law(kHexagon);
+    of.law.strips.row(0) = of.law.strips.row(2);
+    check_fails(prove_strips_determined({of}));
+    of = crossing_law(kQuad);
+    of.law.last = of.law.first;
+    check_fails(prove_strips_determined({of}));
+    of = crossing_law(kQuad);
+    of.law.strips.row(1) = of.law.strips.row(3) = of.law.strips.row(0);
+    check_fails(prove_strips_determined({of}));
+    // The positions say nothing, or nothing of d1, or only the sum of d1 and d2.
+    for (const PairType type : {kDigon, kHexagon, kQuad}) {
+      of = crossing_law(type);
+      of.positions.setZero();
+      of.law.first.setZero();
+      check_fails(prove_strips_determined({of}));
+    }
+    of = crossing_law(kDigon);
+    of.positions.setZero();
+    check_fails(prove_strips_determined({of}));
+    of = crossing_law(kDigon);
+    of.positions.col(1) = of.positions.col(0);
+    check_fails(prove_strips_determined({of}));
+  }
+  SECTION("theory-5 as the proof of T11 takes it") {
+    // By hand, for a digon with strips e1, e2: the first leg of v1 meets side 2 at e1, the second at E2 - e1 = d1 + d2 +
+    // e1, the outward one meets side 1 at e2 + d1.
+    const IntegerMatrix positions = crossing_law(kDigon).positions;
+    REQUIRE(positions.rows() == 6);
+    CHECK(positions.row(0) == sides({0, 0, 1, 0}).transpose());
+    CHECK(positions.row(1) == sides({1, 1, 1, 0}).transpose());
+    CHECK(positions.row(2) == sides({1, 0, 0, 1}).transpose());
   }
   SECTION("P3") {
     for (const PairType type : {kDigon, kHexagon, kQuad}) {

@@ -380,6 +380,12 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("P3", hexagon, [&](PairStudy& x) { ++first_made(x).faces_made; });
   fails("P3", digon, [](PairStudy& x) { ++x.found.nodes[0].reading.configuration.parameters.d1; });
   fails("P3", quad, [&](PairStudy& x) { ++first_made(x).move.frame.d2; });
+  const auto first_apart = [](PairStudy& x) -> enumerate::FoundMove& {
+    return *std::find_if(x.found.moves.begin(), x.found.moves.end(),
+                         [](const auto& m) { return m.to >= 0 && m.move.frame.distance() >= 2; });
+  };
+  fails("P5", quad, [&](PairStudy& x) { first_apart(x).script.pop_back(); });
+  fails("P5", quad, [&](PairStudy& x) { first_apart(x).move.frame.v1 = first_apart(x).move.frame.v2; });
   fails("N4", hexagon, [&](PairStudy& x) { ++first_made(x).operations; });
   fails("N4", quad, [&](PairStudy& x) { std::swap(first_made(x).before, first_made(x).after); });
   fails("G1", digon, [](PairStudy& x) {
@@ -457,6 +463,7 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   const auto instead = [](const VertexStudy& other) { return [other](VertexStudy& x) { x.glued = other.glued; }; };
   fails("A2", single(3, 6), [&](VertexStudy& x) { x.glued = single(5, 6).glued; });
   fails("A3", single(4, 6), instead(single(5, 6)));
+  fails("N5", single(4, 8), instead(single(5, 6)));
   fails("B1", single(5, 6), [&](VertexStudy& x) { x.glued = single(3, 6).glued; });
   fails("A6", single(5, 6), [&](VertexStudy& x) { x.glued = single(6, 6).glued; });
   fails("A4", single(2, 6), instead(single(3, 6)));

@@ -9,7 +9,7 @@ namespace requad::theory {
 const char* const kSideLawPremise =
     "The side law, E_i = e_{i-1} + e_{i+1} + (d1 at the firsts) + (d2 at the lasts), describes every convex region "
     "with "
-    "the pair, and each solution with all e_i >= 1 is one configuration (Lemmas 7.8-7.14; instances: L8, L10, T11).";
+    "the pair, and each solution with all e_i >= 1 is one configuration (Lemmas 7.8-7.14; instances: L8, L10, S1).";
 const char* const kEhrhartPremise =
     "Ehrhart: for a rational polytope P, the number of integer points of L P is a quasi-polynomial in L >= 1. Its "
     "degree "

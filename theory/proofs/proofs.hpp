@@ -61,10 +61,18 @@ struct SingleVertexPremises {
 SingleVertexPremises single_vertex_premises();
 Proof prove_single_vertex(const SingleVertexPremises& premises = single_vertex_premises());
 
-// T11: where 4 does not divide k, the sides and (d1, d2) determine the strips. In a 3-5 region the sides determine
-// (d1, d2), and the sides and (e1, e2) determine the other strips.
-Proof prove_strips_determined(const std::vector<SideLaw>& laws = {side_law(kDigon), side_law(kHexagon),
-                                                                  side_law(kQuad)});
+// theory-5 as a proof takes it: the positions u_ij = positions (d1, d2, e_1, ..., e_k), a row for each separatrix: of v1,
+// then of v2, first leg, second leg, outward ones.
+struct CrossingLaw {
+  SideLaw law;
+  IntegerMatrix positions;
+};
+CrossingLaw crossing_law(PairType type);
+
+// T11: the sides and the vector of Theorem 7.11 determine p, d1, d2 and the strips. Where 4 does not divide k, the sides
+// and (d1, d2) determine the strips. In a 3-5 region the sides determine (d1, d2), and with (e1, e2) the other strips.
+Proof prove_strips_determined(const std::vector<CrossingLaw>& laws = {crossing_law(kDigon), crossing_law(kHexagon),
+                                                                      crossing_law(kQuad)});
 
 // T2, T3: the parameter set and its size tau(L) for a regular region of every side.
 struct RegularPremises {

@@ -115,13 +115,16 @@ Judgement judge_connected(const PairStudy& s);    // M1
 Judgement judge_realisation(const PairStudy& s);  // R1
 Judgement judge_dual(const PairStudy& s);         // F1
 // merging.cpp
-Judgement judge_no_cancelling(const PairStudy& s);  // N1
-Judgement judge_merging(const PairStudy& s);        // N2
+Judgement judge_no_cancelling(const PairStudy& s);     // N1
+Judgement judge_merging(const PairStudy& s);           // N2
+Judgement judge_double_removal(const VertexStudy& s);  // N5
 // moves.cpp
 Judgement judge_distance_kept(const PairStudy& s);     // P1
 Judgement judge_distance_changed(const PairStudy& s);  // P2
 Judgement judge_faces(const PairStudy& s);             // P3
 Judgement judge_locality(const PairStudy& s);          // N4
+Judgement judge_pipeline(const PairStudy& s);          // P5
+Judgement judge_closed_surfaces(const PairStudy& s);   // P6
 // transport.cpp
 Judgement judge_detour(const PairStudy& s);  // P4
 // three_vertices.cpp

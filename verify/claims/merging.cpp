@@ -1,10 +1,13 @@
-// Claims about what a pair can become: a 3-5 pair cannot be cancelled (N1); an equal pair merges or is aligned (N2).
+// Claims about what a pair can become: a 3-5 pair cannot be cancelled (N1); an equal pair merges or is aligned (N2); two
+// pairs can cancel at once (N5).
 #include <algorithm>
 #include <set>
 
 #include "enumerate/search/search.hpp"
+#include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/topology/distances.hpp"
 #include "verify/claims/judging.hpp"
+#include "verify/claims/sites.hpp"
 
 namespace requad::verify {
 
@@ -100,6 +103,57 @@ Judgement judge_merging(const PairStudy& s) {
                                                   : "odd distances, ") +
             std::to_string(merge) + " of " + counted(pairs, "configuration") + " merge, slides align " +
             std::to_string(align);
+  return j;
+}
+
+namespace {
+
+std::multiset<int> irregular_valences(const mesh::QuadMesh& m) {
+  std::multiset<int> valences;
+  for (const mesh::VertexId v : mesh::irregular_vertices(m)) valences.insert(m.valence(v));
+  return valences;
+}
+
+// Cancels a v3 and a v5 of a mesh with 3-3-5-5. Whether the last operation is the flip that removes all four.
+bool ends_in_a_double_removal(const mesh::QuadMesh& before, mesh::VertexId three, mesh::VertexId five) {
+  std::vector<mesh::VertexId> others = mesh::irregular_vertices(before);
+  std::erase_if(others, [&](mesh::VertexId v) { return v == three || v == five; });
+  mesh::QuadMesh m = before;
+  mesh::Editor editor(m);
+  mesh::PairTransport transport(editor);
+  if (mesh::cancel_pair(editor, transport, three, five, others).refusal != mesh::Refusal::none) return false;
+  if (!mesh::irregular_vertices(m).empty() || editor.edits().size() < 2) return false;
+  const mesh::Edit& last = editor.edits().back();
+  mesh::take_back(m, last.inverse);
+  return is_flip(last.operation.kind) && irregular_valences(m) == std::multiset<int>{3, 3, 5, 5};
+}
+
+}  // namespace
+
+// In a regular grid: a flip makes 3-3-5-5, one operation brings these apart, and each v3 is cancelled with each v5. In
+// some of these cancellations the last operation removes both pairs.
+Judgement judge_double_removal(const VertexStudy& s) {
+  const mesh::Region* region = neighbourhood(s);
+  if (region == nullptr || s.valence() != 4 || !deep_vertex(*region).valid()) return not_applicable();
+  const mesh::HalfEdgeId edge = region->mesh.out(deep_vertex(*region));
+  std::int64_t tried = 0, ended = 0;
+  Judgement j;
+  const mesh::QuadMesh four = performed(region->mesh, {mesh::BasicOperation::Kind::flip_ccw, edge, {}, 0}).mesh;
+  for (const mesh::BasicOperation& op : all_operations(four)) {
+    const Performed apart = performed(four, op);
+    if (apart.valences != std::multiset<int>{3, 3, 5, 5}) continue;
+    for (const mesh::VertexId three : apart.irregular) {
+      for (const mesh::VertexId five : apart.irregular) {
+        if (apart.mesh.valence(three) != 3 || apart.mesh.valence(five) != 5) continue;
+        ++tried;
+        ended += ends_in_a_double_removal(apart.mesh, three, five) ? 1 : 0;
+      }
+    }
+  }
+  j.checks = tried;
+  j.predicted = "a cancellation whose last operation removes 3-3-5-5";
+  j.found = std::to_string(ended) + " of " + counted(tried, "cancellation");
+  Requirements(j).that(ended > 0, {"no cancellation ends in a 3-3-5-5 removal", "", "", *region});
   return j;
 }
 

@@ -1,9 +1,13 @@
 // Claims about single moves: what they do to the pair, to the faces, and how much of the mesh they touch.
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
+#include "mesh/topology/validate.hpp"
 #include "verify/claims/judging.hpp"
+#include "verify/claims/surfaces.hpp"
 
 namespace requad::verify {
 
@@ -48,6 +52,17 @@ std::string check_four_directions(const PairStudy& s) {
       return std::to_string(tried[i]) + " directions at one configuration, not four";
   }
   return "";
+}
+
+// The faces that a step adds (Law irregular-11); c is -1, +1, 0 for a 3-3, 5-5, 3-5 pair.
+Integer faces_law(mesh::PairStep step, Integer d1, Integer d2, Integer c) {
+  switch (step) {
+    case mesh::PairStep::slide_first: return d2 - d1 + c;
+    case mesh::PairStep::slide_second: return d1 - d2 + c;
+    case mesh::PairStep::open: return d1 + d2 + c;
+    case mesh::PairStep::close: return -(d1 + d2 - c);
+  }
+  return 0;
 }
 
 template <class Problem>
@@ -106,21 +121,61 @@ Judgement judge_faces(const PairStudy& s) {
     if (move.faces_made > 0 && move.faces_deleted > 0) return "the move both makes and deletes faces";
     const Integer d1 = move.move.frame.d1;
     const Integer d2 = move.move.frame.d2;
-    Integer law = 0;
-    switch (move.move.step) {
-      case mesh::PairStep::slide_first: law = d2 - d1 + c; break;
-      case mesh::PairStep::slide_second: law = d1 - d2 + c; break;
-      case mesh::PairStep::open: law = d1 + d2 + c; break;
-      case mesh::PairStep::close: law = -(d1 + d2 - c); break;
-    }
+    const Integer law = faces_law(move.move.step, d1, d2, c);
     return change == law ? ""
                          : "the mesh grows by " + std::to_string(change) + " faces, the connecting path says " +
                                std::to_string(law);
   });
 }
 
-// A move stays within the smallest convex region that holds both its ends. Removes every strip that neither end needs,
-// and makes the same move there by the same number of operations. (Moves never touch the boundary of their region.)
+namespace {
+
+// Distances of all vertices from the boundary edges of a side, by vertex slot.
+std::vector<int> distances_from_side(const mesh::Region& region, int side) {
+  const mesh::QuadMesh& m = region.mesh;
+  std::vector<int> distance(static_cast<std::size_t>(m.vertex_capacity()), -1);
+  std::vector<mesh::VertexId> queue;
+  const auto reach = [&](mesh::VertexId v, int d) {
+    if (distance[v.slot()] >= 0) return;
+    distance[v.slot()] = d;
+    queue.push_back(v);
+  };
+  const auto positions = mesh::boundary_positions(region);
+  for (const mesh::HalfEdgeId h : mesh::boundary_loop(m, region.root)) {
+    if (positions[m.origin(h).slot()].side != side) continue;
+    reach(m.origin(h), 0);
+    reach(m.target(h), 0);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const mesh::VertexId v = queue[i];
+    for (const mesh::VertexId w : m.neighbours(v)) reach(w, distance[v.slot()] + 1);
+  }
+  return distance;
+}
+
+// Whether the operations of a move change no valence in the outermost strips, of which there are spare[i] towards side
+// i, nor on the innermost line of them.
+bool spares_strips(const mesh::Region& region, const FoundMove& move, const std::vector<Integer>& spare) {
+  std::vector<std::vector<int>> distances;
+  for (std::size_t side = 0; side < spare.size(); ++side)
+    distances.push_back(distances_from_side(region, static_cast<int>(side)));
+  mesh::QuadMesh m = region.mesh;
+  for (const mesh::BasicOperation& op : move.script) {
+    for (const mesh::VertexId v : mesh::changed_vertices(m, op)) {
+      if (!v.valid() || !region.mesh.is_live(v)) continue;
+      for (std::size_t side = 0; side < spare.size(); ++side) {
+        if (distances[side][v.slot()] <= spare[side]) return false;
+      }
+    }
+    mesh::apply(m, op);
+  }
+  return true;
+}
+
+}  // namespace
+
+// A move stays within the smallest convex region that holds both its ends. It changes no valence in the strips that
+// neither end needs. Without these strips, the same move is made by the same number of operations.
 Judgement judge_locality(const PairStudy& s) {
   return for_each_move(
       s, "made in the smallest region that holds both ends", [&s](const FoundMove& move) -> std::string {
@@ -135,11 +190,16 @@ Judgement judge_locality(const PairStudy& s) {
           for (Eigen::Index i = 0; i < e.size(); ++i) c->parameters.e(i) = e((i + pair.p - c->p + e.size()) % e.size());
           c->p = pair.p;
         }
-        for (Eigen::Index i = 0; i < from.parameters.e.size(); ++i) {
-          const Integer spare = std::min(from.parameters.e(i), to.parameters.e(i)) - 1;
-          from.parameters.e(i) -= spare;
-          to.parameters.e(i) -= spare;
+        const Eigen::Index k = from.parameters.e.size();
+        std::vector<Integer> spare(static_cast<std::size_t>(k));  // by side of the region
+        for (Eigen::Index i = 0; i < k; ++i) {
+          const Integer fewer = std::min(from.parameters.e(i), to.parameters.e(i)) - 1;
+          from.parameters.e(i) -= fewer;
+          to.parameters.e(i) -= fewer;
+          spare[static_cast<std::size_t>((i + pair.p - 1) % k)] = fewer;
         }
+        if (!spares_strips(source(s, move).region, move, spare))
+          return "the move changes a valence outside the smallest region that holds both ends";
         const mesh::Region smallest = enumerate::glue_region(s.shape.type(), from);
         const std::string target = mesh::signature(enumerate::glue_region(s.shape.type(), to));
         for (const mesh::PairMove& candidate :
@@ -153,6 +213,131 @@ Judgement judge_locality(const PairStudy& s) {
         }
         return "the move is not made in the smallest region that holds both ends";
       });
+}
+
+namespace {
+
+// What is wrong with a move as a pipeline from one end of the pair to the other, or "".
+std::string check_pipeline(const FoundNode& from, const FoundMove& move) {
+  mesh::QuadMesh m = from.region.mesh;
+  const std::array<mesh::VertexId, 2> ends{move.move.frame.v1, move.move.frame.v2};
+  const auto moved = [&](mesh::VertexId v) { return !m.is_live(v) || m.valence(v) != from.region.mesh.valence(v); };
+  std::size_t last = 0;  // the index of the end that moves last
+  for (std::size_t i = 0; i < move.script.size(); ++i) {
+    mesh::apply(m, move.script[i]);
+    if (i == 0) {
+      if (moved(ends[0]) == moved(ends[1])) return "the first operation does not move one end alone";
+      last = moved(ends[0]) ? 1 : 0;
+    } else if (moved(ends[last]) != (i + 1 == move.script.size())) {
+      return "the other end does not move by the last operation";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+// The pipeline of section 6, of each move of a pair that is not adjacent.
+Judgement judge_pipeline(const PairStudy& s) {
+  std::vector<const FoundMove*> apart;
+  for (const FoundMove& move : s.found.moves) {
+    if (move.to >= 0 && move.move.frame.distance() >= 2) apart.push_back(&move);
+  }
+  return for_each_of(
+      apart, "move", "the first operation moves one end, the last one the other",
+      [&s](const FoundMove* move) { return check_pipeline(source(s, *move), *move); },
+      [&s](const FoundMove* move, std::string what) { return at_move(s, *move, std::move(what)); });
+}
+
+namespace {
+
+constexpr int kLargestDoubled = 20;      // faces
+constexpr std::size_t kPairsTried = 12;  // of one surface
+
+// By how much a step changes d1; d2 changes as much, to the other side if the step is a slide.
+Integer change_of_d1(mesh::PairStep step, int l1, int l2) {
+  if (l1 != l2) return 0;
+  const bool grows = step == mesh::PairStep::slide_first || step == mesh::PairStep::close;
+  return grows == (l1 == 3) ? 1 : -1;
+}
+
+// A move on a closed surface. Returns what is wrong with it, or "".
+std::string check_on_surface(const mesh::QuadMesh& m, const mesh::PairMove& move, std::int64_t& made) {
+  const mesh::PairFrame& frame = move.frame;
+  const int l1 = m.valence(frame.v1), l2 = m.valence(frame.v2);
+  mesh::QuadMesh after = m;
+  const mesh::MoveReport report = mesh::move_pair(after, move);
+  if (report.refusal != mesh::Refusal::none) return after == m ? "" : "a refused move changed the surface";
+  ++made;
+  if (!mesh::validate(after).empty()) return "a move leaves no valid mesh";
+  const Integer c = l1 != l2 ? 0 : l1 == 3 ? -1 : 1;
+  if (after.face_count() - m.face_count() != faces_law(move.step, frame.d1, frame.d2, c))
+    return "the quads grow by another number than the connecting path says";
+  const bool slide = move.step == mesh::PairStep::slide_first || move.step == mesh::PairStep::slide_second;
+  const Integer change = change_of_d1(move.step, l1, l2);
+  const Integer d1 = frame.d1 + change, d2 = frame.d2 + (slide ? -change : change);
+  const auto [a, b] = report.after;
+  if (d1 == 0 && d2 == 0) {
+    if (a != b || after.valence(a) != l1 + l2 - 4) return "a pair with d1 = d2 = 0 is not merged";
+  } else {
+    if (after.valence(a) != l1 || after.valence(b) != l2) return "the pair has other valences after the move";
+    const auto frames = mesh::find_frames(after, a, b);
+    const bool spans =
+        std::any_of(frames.begin(), frames.end(), [&](const mesh::PairFrame& f) { return f.d1 == d1 && f.d2 == d2; });
+    if (!spans) return "the pair does not span the rectangle that the step says";
+  }
+  mesh::QuadMesh undone = after;
+  if (mesh::apply_all(undone, report.undo) != mesh::Refusal::none || !(undone == m))
+    return "undoing does not restore the surface";
+  mesh::QuadMesh back = after;
+  if (mesh::move_pair(back, report.inverse).refusal != mesh::Refusal::none) {
+    // Where the rectangle overlaps itself, the way back can be closed.
+    if (!(back == after)) return "a refused inverse changed the surface";
+    return mesh::has_room(after, report.inverse.frame) ? "the inverse move is refused though there is room" : "";
+  }
+  if (mesh::has_room(m, frame) && mesh::canonical_signature(back) != mesh::canonical_signature(m))
+    return "the inverse move makes another surface";
+  return "";
+}
+
+// All moves of some pairs of a closed surface, the first and then every n-th.
+std::string check_surface(const mesh::QuadMesh& m, std::int64_t& tried, std::int64_t& made) {
+  std::vector<std::array<mesh::VertexId, 2>> pairs;
+  const std::vector<mesh::VertexId> irregular = mesh::irregular_vertices(m);
+  for (std::size_t i = 0; i < irregular.size(); ++i) {
+    for (std::size_t k = i + 1; k < irregular.size(); ++k) pairs.push_back({irregular[i], irregular[k]});
+  }
+  const std::size_t stride = pairs.size() / kPairsTried + 1;
+  for (std::size_t i = 0; i < pairs.size(); i += stride) {
+    for (const mesh::PairMove& move : mesh::pair_moves(m, pairs[i][0], pairs[i][1])) {
+      ++tried;
+      if (std::string problem = check_on_surface(m, move, made); !problem.empty()) return problem;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+// Spheres, tori and surfaces of genus two: the doubles of the first configuration.
+Judgement judge_closed_surfaces(const PairStudy& s) {
+  if (s.found.nodes.empty() || s.found.nodes[0].region.mesh.face_count() > kLargestDoubled) return not_applicable();
+  std::vector<MadeSurface> surfaces = surfaces_from(s.found.nodes[0].region);
+  std::erase_if(surfaces, [](const MadeSurface& surface) {
+    const auto halves = surface.mesh.half_edges();
+    return std::any_of(halves.begin(), halves.end(), [&](mesh::HalfEdgeId h) { return surface.mesh.is_boundary(h); });
+  });
+  std::int64_t tried = 0, made = 0;
+  Judgement j = for_each_of(
+      surfaces, "closed surface", "each move does what its step says, or is refused",
+      [&](const MadeSurface& surface) { return check_surface(surface.mesh, tried, made); },
+      [&s](const MadeSurface& surface, std::string what) {
+        return at_region(s, "its double of Euler characteristic " + std::to_string(surface.euler) + ": " + what);
+      });
+  j.checks += tried;
+  j.found += ", " + std::to_string(made) + " of " + counted(tried, "move") + " made";
+  j.row = {{"sides", side_list(s.shape.sides())}, {"pair", s.shape.type().name()}, {"moves", tried}, {"made", made}};
+  return j;
 }
 
 }  // namespace requad::verify

@@ -179,6 +179,34 @@ std::vector<Claim> operation_claims() {
           .methods = {kMoves},
           .check = judge_detour,
       },
+      {
+          .id = "P5",
+          .where = "section 6",
+          .statement = "A move of a 3-5 pair that is not adjacent goes from one end to the other: its first operation "
+                       "moves one vertex alone, its last one the other. So the inverse operations, last first, are the "
+                       "same pipeline executed from the other end.",
+          .compares = "after each operation of each move, which of the two vertices has moved",
+          .fails_if = "the first operation moves both vertices or none, or the other vertex moves before the last "
+                      "operation, or not by it",
+          .families = {quad},
+          .methods = {kMoves},
+          .check = judge_pipeline,
+      },
+      {
+          .id = "P6",
+          .where = "section 6",
+          .statement =
+              "On closed surfaces a pair move changes (d1,d2) and the number of quads as its step says, and can be "
+              "undone; or it is refused and changes nothing. The inverse move leads back where R_alpha has room.",
+          .compares = "moves of pairs on spheres, tori and surfaces of genus two made of the regions: rectangles and "
+                      "quads before and after, the undone move, the inverse move",
+          .fails_if = "a move leaves an invalid mesh, another rectangle or another number of quads, cannot be undone, "
+                      "or is refused and changes the mesh; or the inverse is refused where there is room, or does not "
+                      "lead back where R_alpha is a grid",
+          .families = kPairs,
+          .methods = {kMoves},
+          .check = judge_closed_surfaces,
+      },
   };
 }
 

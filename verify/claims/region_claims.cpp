@@ -256,10 +256,22 @@ std::vector<Claim> region_claims() {
           .where = "section 1",
           .statement = "The moves change the smallest possible region.",
           .compares = "the same move in the smallest convex region that holds both ends",
-          .fails_if = "the smallest region has no such move, or it takes another number of operations there",
+          .fails_if = "the smallest region has no such move, or it takes another number of operations there, or the "
+                      "move changes a valence outside that region",
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_locality,
+      },
+      {
+          .id = "N5",
+          .where = "section 8",
+          .statement = "The last step of a cancellation can be a 3-3-5-5 removal, which cancels two pairs at once.",
+          .compares = "in a regular grid all cancellations of a v3 with a v5 after a flip has made 3-3-5-5 and one "
+                      "operation has moved them; the last operation of each",
+          .fails_if = "in a grid no cancellation ends in a flip that leaves no irregular vertex of four",
+          .families = {single_vertex},
+          .methods = {kMoves},
+          .check = judge_double_removal,
       },
   };
 }
