@@ -123,7 +123,6 @@ Judgement judge_distance_kept(const PairStudy& s);     // P1
 Judgement judge_distance_changed(const PairStudy& s);  // P2
 Judgement judge_faces(const PairStudy& s);             // P3
 Judgement judge_locality(const PairStudy& s);          // N4
-Judgement judge_pipeline(const PairStudy& s);          // P5
 Judgement judge_closed_surfaces(const PairStudy& s);   // P6
 // transport.cpp
 Judgement judge_detour(const PairStudy& s);  // P4

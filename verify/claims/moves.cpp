@@ -217,40 +217,6 @@ Judgement judge_locality(const PairStudy& s) {
 
 namespace {
 
-// What is wrong with a move as a pipeline from one end of the pair to the other, or "".
-std::string check_pipeline(const FoundNode& from, const FoundMove& move) {
-  mesh::QuadMesh m = from.region.mesh;
-  const std::array<mesh::VertexId, 2> ends{move.move.frame.v1, move.move.frame.v2};
-  const auto moved = [&](mesh::VertexId v) { return !m.is_live(v) || m.valence(v) != from.region.mesh.valence(v); };
-  std::size_t last = 0;  // the index of the end that moves last
-  for (std::size_t i = 0; i < move.script.size(); ++i) {
-    mesh::apply(m, move.script[i]);
-    if (i == 0) {
-      if (moved(ends[0]) == moved(ends[1])) return "the first operation does not move one end alone";
-      last = moved(ends[0]) ? 1 : 0;
-    } else if (moved(ends[last]) != (i + 1 == move.script.size())) {
-      return "the other end does not move by the last operation";
-    }
-  }
-  return "";
-}
-
-}  // namespace
-
-// The pipeline of section 6, of each move of a pair that is not adjacent.
-Judgement judge_pipeline(const PairStudy& s) {
-  std::vector<const FoundMove*> apart;
-  for (const FoundMove& move : s.found.moves) {
-    if (move.to >= 0 && move.move.frame.distance() >= 2) apart.push_back(&move);
-  }
-  return for_each_of(
-      apart, "move", "the first operation moves one end, the last one the other",
-      [&s](const FoundMove* move) { return check_pipeline(source(s, *move), *move); },
-      [&s](const FoundMove* move, std::string what) { return at_move(s, *move, std::move(what)); });
-}
-
-namespace {
-
 constexpr int kLargestDoubled = 20;      // faces
 constexpr std::size_t kPairsTried = 12;  // of one surface
 

@@ -180,19 +180,6 @@ std::vector<Claim> operation_claims() {
           .check = judge_detour,
       },
       {
-          .id = "P5",
-          .where = "section 6",
-          .statement = "A move of a 3-5 pair that is not adjacent goes from one end to the other: its first operation "
-                       "moves one vertex alone, its last one the other. So the inverse operations, last first, are the "
-                       "same pipeline executed from the other end.",
-          .compares = "after each operation of each move, which of the two vertices has moved",
-          .fails_if = "the first operation moves both vertices or none, or the other vertex moves before the last "
-                      "operation, or not by it",
-          .families = {quad},
-          .methods = {kMoves},
-          .check = judge_pipeline,
-      },
-      {
           .id = "P6",
           .where = "section 6",
           .statement =
