@@ -19,7 +19,6 @@
 #include "tests/support/sanitizers.hpp"
 
 using namespace requad::tests;
-using nlohmann::json;
 
 namespace {
 
@@ -233,13 +232,13 @@ class Session {
   }
 
   // One of the listed edits, chosen at random; null if the listing is refused or empty.
-  json one_of(const std::string& listing, const char* key) {
+  nlohmann::json one_of(const std::string& listing, const char* key) {
     const Outcome outcome = call("edit", listing + " --json - --quiet");
     INFO("requad-edit " << listing << ": " << outcome.err);
     REQUIRE((outcome.code == 0 || outcome.code == 1));
     if (outcome.code != 0) return {};
-    const json list = json::parse(outcome.out)[key];
-    return list.empty() ? json() : list[static_cast<std::size_t>(chosen(list.size()))];
+    const nlohmann::json list = nlohmann::json::parse(outcome.out)[key];
+    return list.empty() ? nlohmann::json() : list[static_cast<std::size_t>(chosen(list.size()))];
   }
 
   void accept(FaceListMesh after) {
@@ -253,7 +252,7 @@ class Session {
     if (a < 0 || b < 0) return;
     const std::string pair = " in.obj " + std::to_string(a + 1) + " " + std::to_string(b + 1);
     const std::string features = feature_option();
-    const json move = one_of("moves" + pair + features, "moves");
+    const nlohmann::json move = one_of("moves" + pair + features, "moves");
     if (move.is_null()) return;
     const std::string name = move["name"];
     if (!edits("move" + pair + " --step '" + name + "' --smooth 0 -o out.obj --quiet" + features, move["legal"])) {
@@ -264,7 +263,7 @@ class Session {
     const int gained = static_cast<int>(after.faces.size()) - static_cast<int>(mesh_.faces.size());
     REQUIRE(gained == move["faces"].get<int>());
     REQUIRE(gained == move["faces_made"].get<int>() - move["faces_deleted"].get<int>());
-    for (const json& vertex : move["vertices"]) {
+    for (const nlohmann::json& vertex : move["vertices"]) {
       if (vertex["after"].is_null()) continue;
       const int now = vertex["after"].get<int>() - 1;
       REQUIRE(now < static_cast<int>(after.positions.size()));
@@ -280,7 +279,7 @@ class Session {
     if (v < 0 || chosen(3) == 0) v = chosen(mesh_.positions.size());
     const std::string site = " in.obj " + std::to_string(v + 1);
     const std::string features = feature_option();
-    const json operation = one_of("atomic" + site + features, "operations");
+    const nlohmann::json operation = one_of("atomic" + site + features, "operations");
     if (operation.is_null()) return;
     const std::string from = std::to_string(operation["from"].get<int>()),
                       to = std::to_string(operation["to"].get<int>());
@@ -293,7 +292,7 @@ class Session {
     FaceListMesh after = written();
     // The valences that the listing predicts.
     std::multiset<int> expected = valences(mesh_);
-    for (const json& change : operation["valences"]) {
+    for (const nlohmann::json& change : operation["valences"]) {
       if (!change["before"].is_null()) {
         REQUIRE(mesh_.valence(change["vertex"].get<int>() - 1) == change["before"].get<int>());
         expected.erase(expected.find(change["before"].get<int>()));
