@@ -70,7 +70,6 @@ int run_search(const Options& options) {
   std::vector<int> sides;
   if (options.has("sides")) {
     sides = side_lengths(options);
-    reports_odd_boundary(options);
     problem = search_problem(sides, std::move(problem.irregular));
   } else {
     problem.interior_quads = required_ints(options, "interior-quads");
@@ -83,6 +82,7 @@ int run_search(const Options& options) {
         "search: these valences can close a tube of any length, so there may be infinitely many fillings; expected "
         "--max-faces or --limit-seconds");
   }
+  reports_odd_boundary(options);
   const CountedSearch found = count_fillings(problem, limits, options.has("list"),
                                              search_journal(options, run_text(options, sides, problem, limits)));
   progress.finish();
