@@ -142,8 +142,9 @@ std::string check_expansions(PairType type, const FoundNode& node, std::int64_t&
       std::vector<const FaceSet*> next;  // the least larger ones
       for (std::size_t k = i + 1; k < regions.size(); ++k) {
         if (regions[k] == regions[i] || !regions[i].is_subset_of(regions[k])) continue;
+        const FaceSet& larger = regions[k];
         const bool least = std::none_of(next.begin(), next.end(),
-                                        [&](const FaceSet* between) { return between->is_subset_of(regions[k]); });
+                                        [&larger](const FaceSet* between) { return between->is_subset_of(larger); });
         if (!least) continue;
         next.push_back(&regions[k]);
         ++expansions;
