@@ -111,10 +111,10 @@ TEST_CASE("the script of each edge leads from the mesh of one signature to that 
       REQUIRE(graph["scripts"].size() == graph["edges"].size());
       for (std::size_t e = 0; e < graph["edges"].size(); ++e) {
         mesh::Region region =
-            mesh::from_signature(std::string(graph["nodes"][graph["edges"][e][0].get<int>()]["signature"]));
+            mesh::from_signature(std::string(graph["nodes"][graph["edges"][e][0].get<std::size_t>()]["signature"]));
         for (const std::string line : graph["scripts"][e])
           REQUIRE(mesh::apply(region.mesh, operation_of(line)).refusal == mesh::Refusal::none);
-        REQUIRE(mesh::signature(region) == graph["nodes"][graph["edges"][e][1].get<int>()]["signature"]);
+        REQUIRE(mesh::signature(region) == graph["nodes"][graph["edges"][e][1].get<std::size_t>()]["signature"]);
       }
     }
   }

@@ -54,7 +54,7 @@ class Checker {
     const std::vector<PairMove> other_order = pair_moves(mesh_, v2, v1);
     if (moves.size() != other_order.size()) return "v2, v1 has other moves than v1, v2";
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      Refusal refusal, in_other_order;
+      Refusal refusal;
       std::string problem = check(moves[i], refusal);
       if (problem.empty()) problem = in_order(moves[i], other_order[i], refusal);
       if (!problem.empty()) return describe(moves[i]) + ": " + problem;
