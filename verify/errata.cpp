@@ -43,7 +43,7 @@ std::optional<Erratum> three_without_room() {
   Ranges ranges;
   ranges.other_perimeter = {7, 20};
   for (const RegionCase& region : list_cases(ranges, {Family::three_vertices})) {
-    const auto s = std::get<TripleStudy>(study(region, {Method::search}));
+    const TripleStudy s = search_triple(std::get<TripleCase>(region));
     if (s.fillings.empty() || !s.fewer.empty()) continue;
     return Erratum{
         "Section 1",

@@ -112,21 +112,11 @@ std::vector<std::vector<int>> fewer_valences(const std::vector<int>& three) {
 }
 
 TripleStudy study_triple(const TripleCase& region, const std::set<Method>& methods) {
-  TripleStudy s{region, methods.count(Method::search) > 0, {}, {}, {}, {}};
-  if (!s.searched) return s;
-  for (auto& [signature, filling] : fillings(region.sides, region.valences)) {
-    s.signatures.push_back(signature);
-    s.fillings.push_back(std::move(filling));
-  }
-  if (s.fillings.empty()) return s;  // there is nothing to edit
-  for (const std::vector<int>& valences : fewer_valences(region.valences)) {
-    Signatures found = signatures(region.sides, valences);
-    if (!found.empty()) s.fewer.emplace(valences, std::move(found));
-  }
+  if (methods.count(Method::search) == 0) return {region, false, {}, {}, {}, {}};
+  TripleStudy s = search_triple(region);
   for (const mesh::Region& filling : s.fillings) s.edits.push_back(enumerate::edit_results(filling));
   return s;
 }
-
 void add_exploration(PairStudy& s, enumerate::Exploration found) {
   s.found = std::move(found);
   for (const enumerate::FoundNode& node : s.found.nodes) {
@@ -168,6 +158,20 @@ PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& m
                                   [](const theory::MapNode& node) { return !node.configuration.merged(); });
   if (!moves || start == s.map.nodes.end()) return s;
   add_exploration(s, enumerate::explore(shape, {enumerate::glue_region(type, start->configuration)}));
+  return s;
+}
+
+TripleStudy search_triple(const TripleCase& region) {
+  TripleStudy s{region, true, {}, {}, {}, {}};
+  for (auto& [signature, filling] : fillings(region.sides, region.valences)) {
+    s.signatures.push_back(signature);
+    s.fillings.push_back(std::move(filling));
+  }
+  if (s.fillings.empty()) return s;  // there is nothing to edit
+  for (const std::vector<int>& valences : fewer_valences(region.valences)) {
+    Signatures found = signatures(region.sides, valences);
+    if (!found.empty()) s.fewer.emplace(valences, std::move(found));
+  }
   return s;
 }
 

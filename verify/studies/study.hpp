@@ -90,6 +90,8 @@ Study study(const RegionCase& region, const std::set<Method>& methods, const enu
 // The same for a pair.
 PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& methods,
                      const enumerate::WalkProgress& progress = {});
+// What the search finds of a region with three irregular vertices: the fillings, and those with fewer; no edits.
+TripleStudy search_triple(const TripleCase& region);
 // The study of a pair that explore() has explored before. Its only method is moves.
 PairStudy study_moves(enumerate::Exploration found);
 
