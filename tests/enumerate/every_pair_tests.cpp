@@ -100,7 +100,7 @@ TEST_CASE("pairs whose rectangles overlap themselves", "[pair moves][closed]") {
 }
 
 TEST_CASE("every pair move of small closed surfaces", "[pair moves][closed]") {
-  check_closed_surfaces(tests::kSanitized ? 14 : 18, tests::kSanitized ? 2 : 6, 200);
+  check_closed_surfaces(18, tests::kSanitized ? 3 : 6, 200);
 }
 
 TEST_CASE("pair moves of real meshes", "[pair moves][closed]") {
