@@ -8,7 +8,6 @@
 
 #include "mesh/irregular/pair_moves.hpp"
 #include "mesh/irregular/transport.hpp"
-#include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {
@@ -20,48 +19,28 @@ using mesh::Refusal;
 using mesh::Region;
 using mesh::VertexId;
 
-std::vector<int> irregular_valences(const QuadMesh& m) {
-  std::vector<int> valences;
-  for (const VertexId v : mesh::irregular_vertices(m)) valences.push_back(m.valence(v));
-  std::sort(valences.begin(), valences.end());
-  return valences;
-}
-
 namespace {
 
-// Calls visit(operation) for every basic operation that is legal and changes the valence of an irregular vertex, but of
-// none on the boundary. (Any other one leaves all irregular vertices and makes more.)
+// Calls visit(operation) for every operation inside that changes the valence of an irregular vertex. (Any other one
+// leaves all irregular vertices and makes more.)
 template <class Visit>
 void for_each_operation(const QuadMesh& m, Visit&& visit) {
-  using Kind = BasicOperation::Kind;
-  const auto offer = [&](const BasicOperation& op) {
-    if (mesh::why_not(m, op) != Refusal::none) return;
-    bool irregular = false;
-    for (const VertexId v : mesh::changed_vertices(m, op)) {
-      if (!v.valid()) continue;
-      if (m.is_boundary(v)) return;
-      irregular = irregular || m.valence(v) != 4;
-    }
-    if (irregular) visit(op);
-  };
-  for (const HalfEdgeId h : m.half_edges()) {
-    offer({Kind::collapse, h, {}, 0});
-    if (m.is_boundary(h)) continue;
-    offer({Kind::flip_ccw, h, {}, 0});
-    offer({Kind::flip_cw, h, {}, 0});
-    const VertexId v = m.target(h);
-    if (m.is_boundary(v)) continue;
-    m.for_each_out(v, [&](HalfEdgeId first) {
-      if (first != m.twin(h)) offer({Kind::split, first, h, 0});
-    });
+  for (const BasicOperation& op : mesh::operations_inside(m)) {
+    const auto changed = mesh::changed_vertices(m, op);
+    if (std::any_of(changed.begin(), changed.end(), [&m](VertexId v) { return v.valid() && m.valence(v) != 4; }))
+      visit(op);
   }
 }
 
-// The half-edges, from v3 to v5, of the adjacent pairs that v can leave behind.
-std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
-  std::vector<HalfEdgeId> result;
-  m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(m.valence(v) < 4 ? h : m.twin(h)); });
-  return result;
+// How far the valences are from 4, summed.
+int irregularity(const std::multiset<int>& valences) {
+  int sum = 0;
+  for (const int l : valences) sum += std::abs(4 - l);
+  return sum;
+}
+
+EditResult result_of(const std::multiset<int>& valences, std::string signature) {
+  return {{valences.begin(), valences.end()}, std::move(signature)};
 }
 
 // Every set of these vertices but the empty one.
@@ -83,8 +62,8 @@ class Results {
   Results(const Region& region, std::size_t most) : corner_(region.mesh.origin(region.root)), most_(most) {}
 
   void add(const QuadMesh& m) {
-    std::vector<int> valences = irregular_valences(m);
-    if (valences.size() <= most_) found_.insert({std::move(valences), mesh::signature(m, m.out(corner_))});
+    const std::multiset<int> valences = mesh::sorted_irregular_valences(m);
+    if (valences.size() <= most_) found_.insert(result_of(valences, mesh::signature(m, m.out(corner_))));
   }
   std::vector<EditResult> sorted() const { return {found_.begin(), found_.end()}; }
 
@@ -128,7 +107,7 @@ std::vector<EditResult> edit_results(const Region& region) {
         editor.roll_back();
       }
     }
-    for (const HalfEdgeId start : departures(m, from)) {
+    for (const HalfEdgeId start : mesh::departures(m, from)) {
       for (const std::vector<VertexId>& targets : choices(others)) {
         for (const bool may_cross : {false, true}) {
           if (transport.carry({start}, targets, may_cross).refusal != Refusal::none) continue;
@@ -154,14 +133,12 @@ std::optional<EditResult> fewer_by_operations(const Region& region, int most_irr
       if (fewer) return;
       QuadMesh next = m;
       mesh::apply(next, op);
-      std::vector<int> valences = irregular_valences(next);
-      int irregularity = 0;
-      for (const int l : valences) irregularity += std::abs(4 - l);
-      if (irregularity > most_irregularity) return;
+      const std::multiset<int> valences = mesh::sorted_irregular_valences(next);
+      if (irregularity(valences) > most_irregularity) return;
       std::string signature = mesh::signature(next, next.out(corner));
       if (!seen.insert(signature).second) return;
       if (valences.size() < had) {
-        fewer = {std::move(valences), std::move(signature)};
+        fewer = result_of(valences, std::move(signature));
       } else {
         queue.push_back(std::move(next));
       }
@@ -171,12 +148,6 @@ std::optional<EditResult> fewer_by_operations(const Region& region, int most_irr
 }
 
 namespace {
-
-int irregularity(const QuadMesh& m) {
-  int sum = 0;
-  for (const VertexId v : mesh::irregular_vertices(m)) sum += std::abs(4 - m.valence(v));
-  return sum;
-}
 
 // Whether the mesh has some v3 or v2 beside a vertex of valence 5 or more.
 bool has_adjacent_pair(const QuadMesh& m) {
@@ -211,8 +182,8 @@ std::string text_with_features(const QuadMesh& m, HalfEdgeId root, const mesh::F
 
 std::vector<std::string> transports_round(const Region& region, const mesh::FeatureSet& features) {
   const VertexId corner = region.mesh.origin(region.root);
-  const std::size_t had = mesh::irregular_vertices(region.mesh).size();
-  const int least = irregularity(region.mesh);
+  const std::multiset<int> before = mesh::sorted_irregular_valences(region.mesh);
+  const int least = irregularity(before);
   std::set<std::string> seen{text_with_features(region.mesh, region.root, features)};
   std::set<std::string> ends;
   std::deque<QuadMesh> queue{region.mesh};
@@ -226,8 +197,9 @@ std::vector<std::string> transports_round(const Region& region, const mesh::Feat
       }
       QuadMesh next = m;
       mesh::apply(next, op);
-      const bool arrived = irregularity(next) == least && mesh::irregular_vertices(next).size() == had;
-      if (!arrived && (irregularity(next) > least + 2 || !has_adjacent_pair(next))) return;
+      const std::multiset<int> valences = mesh::sorted_irregular_valences(next);
+      const bool arrived = irregularity(valences) == least && valences.size() == before.size();
+      if (!arrived && (irregularity(valences) > least + 2 || !has_adjacent_pair(next))) return;
       const HalfEdgeId root = next.out(corner);
       if (arrived) {
         ends.insert(mesh::signature(next, root));

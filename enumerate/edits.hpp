@@ -28,9 +28,6 @@ struct EditResult {
   friend auto operator<=>(const EditResult&, const EditResult&) = default;
 };
 
-// The valences of the irregular vertices, the least first.
-std::vector<int> irregular_valences(const mesh::QuadMesh& mesh);
-
 // The results of all edits that leave at most as many irregular vertices as the region has: each once, sorted. For n
 // irregular vertices it takes O(n^2) moves, O(n 2^n) transports and O(F) operations.
 std::vector<EditResult> edit_results(const mesh::Region& region);

@@ -33,9 +33,10 @@ struct Edge {
   }
 };
 
-// The edges between the nodes `node_of`, in the order of their ends. The moves are made again, on the meshes that
-// from_signature() gives, so that whoever has the signatures can follow the scripts.
-std::vector<Edge> edges_with_scripts(const Exploration& found, const std::vector<int>& node_of) {
+// The edges of the graph, between the nodes `node_of`, in the order of their ends. The moves are made again, on the
+// meshes that from_signature() gives, so that whoever has the signatures can follow the scripts.
+std::vector<Edge> edges_with_scripts(const Exploration& found, const theory::ConfigurationGraph& graph,
+                                     const std::vector<int>& node_of) {
   std::unordered_map<std::string, int> index;
   const auto signature_of = [&](std::size_t node) -> const std::string& {
     return found.nodes[static_cast<std::size_t>(node_of[node])].signature;
@@ -55,6 +56,7 @@ std::vector<Edge> edges_with_scripts(const Exploration& found, const std::vector
       result.push_back({static_cast<int>(i), to->second, move.step, std::move(report.operations)});
     }
   }
+  if (result.size() != num_edges(graph)) throw std::logic_error("moves made again lead elsewhere");
   std::stable_sort(result.begin(), result.end());
   return result;
 }
@@ -67,7 +69,7 @@ std::vector<std::string> script_lines(const std::vector<mesh::BasicOperation>& s
 
 AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
-  found_graph(found, apex, &node_of);
+  const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
   AttributedGraph result;
   std::vector<std::string> labels, signatures, steps, scripts;
   std::vector<long> d1, d2, p, faces;
@@ -83,7 +85,7 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
     faces.push_back(node.region.mesh.face_count());
   }
   result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures}};
-  for (const Edge& edge : edges_with_scripts(found, node_of)) {
+  for (const Edge& edge : edges_with_scripts(found, graph, node_of)) {
     result.edges.push_back({edge.i, edge.j});
     steps.push_back(mesh::name(edge.step));
     scripts.push_back(boost::algorithm::join(script_lines(edge.script), "; "));
@@ -108,29 +110,25 @@ nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node) {
   return json;
 }
 
+nlohmann::ordered_json empty_graph_json() {
+  const auto list = nlohmann::ordered_json::array();
+  return {{"nodes", list}, {"edges", list}, {"steps", list}, {"scripts", list}, {"components", 0}, {"complete", true}};
+}
+
 nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   std::vector<int> node_of;
   const theory::ConfigurationGraph graph = found_graph(found, apex, &node_of);
-  const auto list = nlohmann::ordered_json::array();
-  nlohmann::ordered_json json{{"nodes", list}, {"edges", list}, {"steps", list}, {"scripts", list}};
+  nlohmann::ordered_json json = empty_graph_json();
   for (const int node : node_of)
     json["nodes"].push_back(node_json(found.shape.type(), found.nodes[static_cast<std::size_t>(node)]));
-  const std::vector<Edge> between = edges_with_scripts(found, node_of);
-  if (between.size() != num_edges(graph)) throw std::logic_error("moves made again lead elsewhere");
-  for (const Edge& edge : between) {
+  for (const Edge& edge : edges_with_scripts(found, graph, node_of)) {
     json["edges"].push_back({edge.i, edge.j});
     json["steps"].push_back(mesh::name(edge.step));
     json["scripts"].push_back(script_lines(edge.script));
   }
   std::vector<int> component(num_vertices(graph));
   json["components"] = component.empty() ? 0 : boost::connected_components(graph, component.data());
-  json["complete"] = true;
   return json;
-}
-
-nlohmann::ordered_json empty_graph_json() {
-  const auto list = nlohmann::ordered_json::array();
-  return {{"nodes", list}, {"edges", list}, {"steps", list}, {"scripts", list}, {"components", 0}, {"complete", true}};
 }
 
 std::string graph_dot(const Exploration& found, theory::Apex apex) { return to_dot(attributed_graph(found, apex)); }

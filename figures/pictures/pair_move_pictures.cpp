@@ -114,10 +114,7 @@ std::vector<BasicOperation> transport_to(Editor& editor, const QuadMesh& m, cons
   std::vector<BasicOperation> best;
   mesh::PairTransport transport(editor);
   for (const auto& [from, to] : {pair, std::array{pair[1], pair[0]}}) {
-    std::vector<HalfEdgeId> departures;
-    const bool from_v3 = m.valence(from) == 3;
-    m.for_each_out(from, [&](HalfEdgeId h) { departures.push_back(from_v3 ? h : m.twin(h)); });
-    for (const HalfEdgeId h : departures) {
+    for (const HalfEdgeId h : mesh::departures(m, from)) {
       if (transport.carry({h}, std::array{to}).refusal != mesh::Refusal::none) continue;
       std::vector<BasicOperation> made;
       for (const mesh::Edit& edit : editor.edits()) made.push_back(edit.operation);

@@ -19,6 +19,13 @@ PlannedStep plan(const QuadMesh& m, AdjacentPair pair, TransportStep step, int t
   return planned_step(m, pair, step, turn);
 }
 
+std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
+  std::vector<HalfEdgeId> result;
+  const bool lacks_edges = m.face_valence(v) < 4;
+  m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(lacks_edges ? h : m.twin(h)); });
+  return result;
+}
+
 PlannedStep renamed(const QuadMesh& m, const PlannedStep& step) {
   PlannedStep result = step;
   BasicOperation& op = result.operation;

@@ -103,6 +103,10 @@ PlannedStep plan(const QuadMesh& mesh, AdjacentPair pair, TransportStep step, in
 // part of v. The two resulting meshes differ only in the ids.
 PlannedStep renamed(const QuadMesh& mesh, const PlannedStep& step);
 
+// The edges along which an adjacent pair can leave v, each as the half-edge from the pair's v3 to its v5. Precondition:
+// v is interior and irregular.
+std::vector<HalfEdgeId> departures(const QuadMesh& mesh, VertexId v);
+
 // What stood in the way of a pair.
 struct Obstacles {
   bool features = false;

@@ -85,6 +85,34 @@ void take_back(QuadMesh& mesh, const BasicOperation& inverse) {
                            ", was refused: " + std::string(refusal.clause()));
 }
 
+std::vector<BasicOperation> operations_inside(const QuadMesh& m) {
+  using Kind = BasicOperation::Kind;
+  std::vector<BasicOperation> operations;
+  const auto add = [&](const BasicOperation& op) {
+    if (why_not(m, op) != Refusal::none) return;
+    for (const VertexId v : changed_vertices(m, op)) {
+      if (v.valid() && m.is_boundary(v)) return;
+    }
+    operations.push_back(op);
+  };
+  for (const HalfEdgeId h : m.half_edges()) {
+    if (h < m.twin(h)) {
+      add({Kind::flip_ccw, h, {}, 0});
+      add({Kind::flip_cw, h, {}, 0});
+    }
+    if (h.index() % 4 < 2) add({Kind::collapse, h, {}, 0});
+  }
+  for (const VertexId v : m.vertices()) {
+    if (m.is_boundary(v)) continue;
+    std::vector<HalfEdgeId> out;
+    m.for_each_out(v, [&out](HalfEdgeId h) { out.push_back(h); });
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      for (std::size_t k = i + 1; k < out.size(); ++k) add({Kind::split, out[i], m.twin(out[k]), 0});
+    }
+  }
+  return operations;
+}
+
 Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations) {
   std::vector<BasicOperation> undo;
   for (const BasicOperation& op : operations) {

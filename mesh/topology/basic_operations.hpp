@@ -27,6 +27,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mesh/topology/refusal.hpp"
 #include "mesh/topology/surgery.hpp"
@@ -63,6 +64,9 @@ Applied apply_unchecked(QuadMesh& mesh, const BasicOperation& operation);
 // Undoes the last operation by its inverse, which is legal by Law topology-8. Checks this nevertheless, so that a fault
 // of this library cannot break a mesh. Throws std::logic_error if the inverse is refused.
 void take_back(QuadMesh& mesh, const BasicOperation& inverse);
+// All legal operations that change no valence on the boundary, each once up to names: two flips for each edge, two
+// collapses for each face (one for each diagonal), and one split for any two edges at a vertex. O(sum of l^3).
+std::vector<BasicOperation> operations_inside(const QuadMesh& mesh);
 // Applies the operations in order, all or none. Returns the refusal of the first that was refused.
 Refusal apply_all(QuadMesh& mesh, std::span<const BasicOperation> operations);
 

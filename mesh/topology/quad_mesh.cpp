@@ -308,4 +308,10 @@ std::vector<VertexId> irregular_vertices(const QuadMesh& m) {
   return found;
 }
 
+std::multiset<int> sorted_irregular_valences(const QuadMesh& m) {
+  std::multiset<int> valences;
+  for (const VertexId v : irregular_vertices(m)) valences.insert(m.face_valence(v));
+  return valences;
+}
+
 }  // namespace requad::mesh

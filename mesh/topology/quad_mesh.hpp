@@ -36,6 +36,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -188,6 +189,7 @@ class QuadMesh {
 // Whether v is interior and its valence is not 4. O(valence).
 inline bool is_irregular(const QuadMesh& mesh, VertexId v) { return !mesh.is_boundary(v) && mesh.face_valence(v) != 4; }
 std::vector<VertexId> irregular_vertices(const QuadMesh& mesh);
+std::multiset<int> sorted_irregular_valences(const QuadMesh& mesh);
 // Whether origin(h) is interior and of valence 4. Follows at most four half-edges, whatever the valence.
 // Precondition: h is live.
 inline bool leaves_regular_vertex(const QuadMesh& mesh, HalfEdgeId h) {

@@ -11,11 +11,9 @@
 
 using namespace requad;
 using namespace requad::mesh;
-using requad::tests::exhausted;
 using requad::tests::neighbourhood;
 using requad::tests::pair_neighbourhood;
 using requad::tests::rel_boundary;
-using requad::tests::sorted_valences;
 using requad::tests::vertex_of;
 
 namespace {
@@ -56,11 +54,11 @@ TEST_CASE("section 5: a v3 moves in three directions, a v5 in five, each by four
     CHECK(listed.size() == static_cast<std::size_t>(4 * valence));
 
     std::set<std::pair<VertexId, std::string>> found;
-    for (const BasicOperation& op : exhausted(m)) {
+    for (const BasicOperation& op : operations_inside(m)) {
       QuadMesh after = m;
       apply(after, op);
       const bool other = op.kind == (valence == 3 ? Kind::split : Kind::collapse);
-      if (other || sorted_valences(after) != Valences{3, 5, valence}) continue;
+      if (other || sorted_irregular_valences(after) != Valences{3, 5, valence}) continue;
       for (const VertexId n : m.neighbours(v)) {
         std::vector<VertexId> rest = irregular_vertices(after);
         std::erase(rest, n);
@@ -87,11 +85,11 @@ TEST_CASE("section 5: an adjacent 3-5 pair moves in six directions", "[atomic]")
       editor.roll_back();
     }
     std::map<StepKind, std::set<std::string>> found;
-    for (const BasicOperation& op : exhausted(m)) {
+    for (const BasicOperation& op : operations_inside(m)) {
       QuadMesh after = m;
       apply(after, op);
       const auto pair = irregular_vertices(after);
-      if (sorted_valences(after) != Valences{3, 5} || !after.adjacent(pair[0], pair[1])) continue;
+      if (sorted_irregular_valences(after) != Valences{3, 5} || !after.adjacent(pair[0], pair[1])) continue;
       const StepKind way = op.kind == Kind::collapse ? StepKind::collapse
                            : op.kind == Kind::split  ? StepKind::split
                                                      : StepKind::flip;
@@ -115,11 +113,11 @@ TEST_CASE("section 5: one flip makes 3-3-5-5, and each such flip is listed once"
   for (const AtomicChoice& choice : atomic_operations(editor, v)) {
     if (choice.operation.name.kind != AtomicKind::generate_3355) continue;
     REQUIRE(perform(editor, choice.operation).refusal == Refusal::none);
-    CHECK(sorted_valences(m) == Valences{3, 3, 5, 5});
+    CHECK(sorted_irregular_valences(m) == Valences{3, 3, 5, 5});
     listed.insert(rel_boundary(m, region));
     editor.roll_back();
   }
-  for (const BasicOperation& op : exhausted(m)) {
+  for (const BasicOperation& op : operations_inside(m)) {
     const auto changed = changed_vertices(m, op);
     if (op.kind == Kind::collapse || op.kind == Kind::split) continue;
     if (std::find(changed.begin(), changed.end(), v) == changed.end()) continue;
@@ -148,8 +146,8 @@ TEST_CASE("Figure 5: type changes of any valence", "[atomic]") {
       if (kind != AtomicKind::raise && kind != AtomicKind::lower) continue;
       REQUIRE(perform(editor, choice.operation).refusal == Refusal::none);
       CHECK((kind == AtomicKind::raise ? m.valence(v) > valence : m.valence(v) < valence));
-      if (valence == 2) CHECK(sorted_valences(m) == Valences{3, 3});
-      if (valence == 6 && choice.operation.name.turn == 3) CHECK(sorted_valences(m) == Valences{5, 5});
+      if (valence == 2) CHECK(sorted_irregular_valences(m) == Valences{3, 3});
+      if (valence == 6 && choice.operation.name.turn == 3) CHECK(sorted_irregular_valences(m) == Valences{5, 5});
       results.insert(rel_boundary(m, region));
       editor.roll_back();
     }
@@ -158,7 +156,7 @@ TEST_CASE("Figure 5: type changes of any valence", "[atomic]") {
     CHECK(different == (valence == 2 ? 1 : results.size()));
     // These are all collapses at v, and all splits of v that leave no v2.
     std::multiset<std::string> found;
-    for (const BasicOperation& op : exhausted(m)) {
+    for (const BasicOperation& op : operations_inside(m)) {
       const auto changed = changed_vertices(m, op);
       QuadMesh after = m;
       const Applied done = apply(after, op);

@@ -32,34 +32,4 @@ std::string rel_boundary(const QuadMesh& m, const Region& region) {
   return signature(m, m.out(region.mesh.origin(region.root)));
 }
 
-std::vector<BasicOperation> exhausted(const QuadMesh& m) {
-  using Kind = BasicOperation::Kind;
-  std::vector<BasicOperation> all;
-  const auto add = [&](const BasicOperation& op) {
-    if (why_not(m, op) != Refusal::none) return;
-    const auto changed = changed_vertices(m, op);
-    if (std::none_of(changed.begin(), changed.end(), [&](VertexId x) { return x.valid() && m.is_boundary(x); }))
-      all.push_back(op);
-  };
-  for (const HalfEdgeId h : m.half_edges()) {
-    if (h < m.twin(h)) add({Kind::flip_ccw, h, {}, 0}), add({Kind::flip_cw, h, {}, 0});
-    if (h.index() % 4 < 2) add({Kind::collapse, h, {}, 0});
-  }
-  for (const VertexId v : m.vertices()) {
-    if (m.is_boundary(v)) continue;
-    std::vector<HalfEdgeId> out;
-    m.for_each_out(v, [&out](HalfEdgeId h) { out.push_back(h); });
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      for (std::size_t k = i + 1; k < out.size(); ++k) add({Kind::split, out[i], m.twin(out[k]), 0});
-    }
-  }
-  return all;
-}
-
-std::multiset<int> sorted_valences(const QuadMesh& m) {
-  std::multiset<int> valences;
-  for (const VertexId v : irregular_vertices(m)) valences.insert(m.valence(v));
-  return valences;
-}
-
 }  // namespace requad::tests

@@ -1,11 +1,8 @@
 // Regions in which atomic operations are tested: regular quads round one vertex or one pair.
 #pragma once
 
-#include <set>
 #include <string>
-#include <vector>
 
-#include "mesh/topology/basic_operations.hpp"
 #include "mesh/topology/region.hpp"
 
 namespace requad::tests {
@@ -20,10 +17,5 @@ mesh::VertexId vertex_of(const mesh::QuadMesh& mesh, int valence);
 // The signature of the mesh, rooted at the boundary vertex where the region has its root. Precondition: the mesh has
 // the region's boundary.
 std::string rel_boundary(const mesh::QuadMesh& mesh, const mesh::Region& region);
-
-// All legal basic operations that change no valence on the boundary, each once up to names.
-std::vector<mesh::BasicOperation> exhausted(const mesh::QuadMesh& mesh);
-// The valences of the irregular vertices.
-std::multiset<int> sorted_valences(const mesh::QuadMesh& mesh);
 
 }  // namespace requad::tests

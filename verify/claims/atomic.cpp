@@ -34,7 +34,7 @@ int excess(const std::multiset<int>& valences) {
 bool reducible_by_splits(const QuadMesh& m, int now) {
   if (now == 0) return true;
   std::multimap<int, BasicOperation> better;
-  for (const BasicOperation& op : all_operations(m)) {
+  for (const BasicOperation& op : mesh::operations_inside(m)) {
     if (op.kind != Kind::split) continue;
     const int then = excess(performed(m, op).valences);
     if (then < now) better.emplace(then, op);
@@ -78,7 +78,7 @@ std::string check_directions(const Region& region) {
   for (const auto& [w, kind] : expected) neighbours.insert(w);
   if (neighbours.size() != 6) return "the pair has " + std::to_string(neighbours.size()) + " adjacent vertices";
   std::map<VertexId, std::set<std::pair<Kind, std::string>>> ways;
-  for (const BasicOperation& op : all_operations(m)) {
+  for (const BasicOperation& op : mesh::operations_inside(m)) {
     const Performed r = performed(m, op);
     if (r.valences != std::multiset<int>{3, 5} || !r.mesh.adjacent(r.irregular[0], r.irregular[1])) continue;
     const VertexId to = direction(neighbours, r.mesh);
@@ -126,7 +126,7 @@ std::vector<VertexStep> vertex_steps(const QuadMesh& m, int valence) {
   const VertexId v = mesh::irregular_vertices(m)[0];
   const Kind other_kind = valence == 3 ? Kind::collapse : Kind::split;
   std::vector<VertexStep> steps;
-  for (const BasicOperation& op : all_operations(m)) {
+  for (const BasicOperation& op : mesh::operations_inside(m)) {
     const Performed r = performed(m, op);
     if (r.valences != std::multiset<int>{3, 5, valence} || (!is_flip(op.kind) && op.kind != other_kind)) continue;
     for (const VertexId n : m.neighbours(v)) {
@@ -183,7 +183,7 @@ Judgement judge_pair_removal(const VertexStudy& s) {
                              : kind == Kind::flip_ccw ? Kind::flip_cw
                                                       : Kind::flip_ccw;
         bool removed = false;
-        for (const BasicOperation& op : all_operations(step.done.mesh)) {
+        for (const BasicOperation& op : mesh::operations_inside(step.done.mesh)) {
           const Performed r = performed(step.done.mesh, op);
           if (r.irregular.size() != 1) continue;
           if (mesh::signature(r.mesh, region->root) != before)
@@ -198,7 +198,7 @@ Judgement judge_pair_removal(const VertexStudy& s) {
 Judgement judge_quadruple(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
   if (region == nullptr || s.valence() != 4) return not_applicable();
-  std::vector<BasicOperation> flips = all_operations(region->mesh);
+  std::vector<BasicOperation> flips = mesh::operations_inside(region->mesh);
   std::erase_if(flips, [](const BasicOperation& op) { return !is_flip(op.kind); });
   // The smallest grids have no flip that spares the boundary.
   return for_each_of(
@@ -206,9 +206,8 @@ Judgement judge_quadruple(const VertexStudy& s) {
       [region](const BasicOperation& op) -> std::string {
         QuadMesh after = region->mesh;
         const mesh::Applied done = mesh::apply(after, op);
-        std::multiset<int> valences;
-        for (const VertexId v : mesh::irregular_vertices(after)) valences.insert(after.valence(v));
-        if (valences != std::multiset<int>{3, 3, 5, 5}) return mesh::to_string(op) + " does not make 3-3-5-5";
+        if (mesh::sorted_irregular_valences(after) != std::multiset<int>{3, 3, 5, 5})
+          return mesh::to_string(op) + " does not make 3-3-5-5";
         if (mesh::apply(after, done.inverse).refusal != Refusal::none || !mesh::irregular_vertices(after).empty())
           return "the other flip does not remove 3-3-5-5";
         return "";
@@ -226,7 +225,7 @@ Judgement judge_type_changes(const VertexStudy& s) {
       return reducible_by_splits(region->mesh, excess({valence})) ? "" : "no splits lead to v3s and v5s alone";
     const Kind kind = valence == 2 ? Kind::collapse : Kind::split;
     const std::multiset<int> goal = valence == 2 ? std::multiset<int>{3, 3} : std::multiset<int>{5, 5};
-    const auto operations = all_operations(region->mesh);
+    const auto operations = mesh::operations_inside(region->mesh);
     const bool found = std::any_of(operations.begin(), operations.end(), [&](const BasicOperation& op) {
       return op.kind == kind && performed(region->mesh, op).valences == goal;
     });
@@ -262,7 +261,7 @@ Judgement judge_any_valence(const VertexStudy& s) {
   const VertexId v = l == 4 ? deep_vertex(*region) : mesh::irregular_vertices(m)[0];
   if (!v.valid()) return not_applicable();
   std::vector<BasicOperation> raise, lower;
-  for (const BasicOperation& op : all_operations(m)) {
+  for (const BasicOperation& op : mesh::operations_inside(m)) {
     if (op.kind == Kind::collapse && (m.origin(op.h) == v || m.target(QuadMesh::next(op.h)) == v)) raise.push_back(op);
     if (op.kind == Kind::split && m.origin(op.h) == v && m.cw(m.twin(op.last)) != op.h &&
         m.ccw(m.twin(op.last)) != op.h)

@@ -202,17 +202,11 @@ Judgement judge_lemma_8(const PairStudy& s) {
 }
 
 Judgement judge_expansions(const PairStudy& s) {
-  std::vector<const FoundNode*> small;
-  for (const FoundNode& node : s.found.nodes) {
-    if (node.region.mesh.face_count() <= kLargestExhaustion) small.push_back(&node);
-  }
   std::int64_t expansions = 0;
-  Judgement j = for_each_of(
-      small, "configuration", "convex regions grow by whole strips",
-      [&](const FoundNode* node) { return check_expansions(s.shape.type(), *node, expansions); },
-      [&s](const FoundNode* node, std::string what) {
-        return at_node(s, static_cast<std::size_t>(node - s.found.nodes.data()), std::move(what));
-      });
+  Judgement j = for_each_node(
+      s, [](const FoundNode& node) { return node.region.mesh.face_count() <= kLargestExhaustion; },
+      "convex regions grow by whole strips",
+      [&](const FoundNode& node) { return check_expansions(s.shape.type(), node, expansions); });
   j.found += ", " + counted(expansions, "expansion");
   j.checks += expansions;
   return j;

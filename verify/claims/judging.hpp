@@ -63,15 +63,27 @@ Judgement for_each_of(const Things& things, const std::string& thing, std::strin
   return j;
 }
 
+// Judges every found configuration for which wanted(node) holds.
+template <class Wanted, class Problem>
+Judgement for_each_node(const PairStudy& s, Wanted&& wanted, std::string predicted, Problem&& problem) {
+  using Node = const enumerate::FoundNode*;
+  std::vector<Node> nodes;
+  for (const enumerate::FoundNode& node : s.found.nodes) {
+    if (wanted(node)) nodes.push_back(&node);
+  }
+  return for_each_of(
+      nodes, "configuration", std::move(predicted), [&](Node node) { return problem(*node); },
+      [&s](Node node, std::string what) {
+        return at_node(s, static_cast<std::size_t>(node - s.found.nodes.data()), std::move(what));
+      });
+}
 // Judges every found configuration.
 template <class Problem>
 Judgement for_each_node(const PairStudy& s, std::string predicted, Problem&& problem) {
-  const std::vector<enumerate::FoundNode>& nodes = s.found.nodes;
-  return for_each_of(nodes, "configuration", std::move(predicted), problem,
-                     [&](const enumerate::FoundNode& node, std::string what) {
-                       return at_node(s, static_cast<std::size_t>(&node - nodes.data()), std::move(what));
-                     });
+  const auto any = [](const enumerate::FoundNode&) { return true; };
+  return for_each_node(s, any, std::move(predicted), problem);
 }
+inline bool holds_pair(const enumerate::FoundNode& node) { return !node.reading.configuration.merged(); }
 
 // Judges every move that was made.
 template <class Problem>

@@ -108,12 +108,6 @@ Judgement judge_merging(const PairStudy& s) {
 
 namespace {
 
-std::multiset<int> irregular_valences(const mesh::QuadMesh& m) {
-  std::multiset<int> valences;
-  for (const mesh::VertexId v : mesh::irregular_vertices(m)) valences.insert(m.valence(v));
-  return valences;
-}
-
 // Cancels a v3 and a v5 of a mesh with 3-3-5-5. Whether the last operation is the flip that removes all four.
 bool ends_in_a_double_removal(const mesh::QuadMesh& before, mesh::VertexId three, mesh::VertexId five) {
   std::vector<mesh::VertexId> others = mesh::irregular_vertices(before);
@@ -125,7 +119,7 @@ bool ends_in_a_double_removal(const mesh::QuadMesh& before, mesh::VertexId three
   if (!mesh::irregular_vertices(m).empty() || editor.edits().size() < 2) return false;
   const mesh::Edit& last = editor.edits().back();
   mesh::take_back(m, last.inverse);
-  return is_flip(last.operation.kind) && irregular_valences(m) == std::multiset<int>{3, 3, 5, 5};
+  return is_flip(last.operation.kind) && mesh::sorted_irregular_valences(m) == std::multiset<int>{3, 3, 5, 5};
 }
 
 }  // namespace
@@ -139,7 +133,7 @@ Judgement judge_double_removal(const VertexStudy& s) {
   std::int64_t tried = 0, ended = 0;
   Judgement j;
   const mesh::QuadMesh four = performed(region->mesh, {mesh::BasicOperation::Kind::flip_ccw, edge, {}, 0}).mesh;
-  for (const mesh::BasicOperation& op : all_operations(four)) {
+  for (const mesh::BasicOperation& op : mesh::operations_inside(four)) {
     const Performed apart = performed(four, op);
     if (apart.valences != std::multiset<int>{3, 3, 5, 5}) continue;
     for (const mesh::VertexId three : apart.irregular) {

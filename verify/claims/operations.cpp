@@ -118,7 +118,7 @@ Judgement judge_single_vertex_operations(const VertexStudy& s) {
   const Region* region = neighbourhood(s);
   if (region == nullptr || s.valence() == 4) return not_applicable();
   const VertexId v = mesh::irregular_vertices(region->mesh)[0];
-  std::vector<BasicOperation> at_vertex = all_operations(region->mesh);
+  std::vector<BasicOperation> at_vertex = mesh::operations_inside(region->mesh);
   std::erase_if(at_vertex, [&](const BasicOperation& op) {
     const auto changed = mesh::changed_vertices(region->mesh, op);
     return std::find(changed.begin(), changed.end(), v) == changed.end();
@@ -194,14 +194,14 @@ Judgement judge_valence_changes(const Study& s) {
   const Region* region = sample(s);
   if (region == nullptr) return not_applicable();
   return for_each_of(
-      all_operations(region->mesh), "operation", "the valences that section 4 gives",
+      mesh::operations_inside(region->mesh), "operation", "the valences that section 4 gives",
       [&](const BasicOperation& op) { return check_valences(region->mesh, op); }, placed_in(*region));
 }
 
 Judgement judge_inverses(const Study& s) {
   const Region* region = sample(s);
   if (region == nullptr || region->mesh.face_count() > kLargestNeighbourhood / 2) return not_applicable();
-  const std::vector<BasicOperation> operations = all_operations(region->mesh);
+  const std::vector<BasicOperation> operations = mesh::operations_inside(region->mesh);
   return for_each_of(
       operations, "operation", "an inverse; for a flip a split and a collapse",
       [&](const BasicOperation& op) { return check_inverse(*region, operations, op); }, placed_in(*region));

@@ -42,13 +42,8 @@ bool has_predicted_vector(const PairStudy& s, const FoundNode& node, const enume
 // all sizes. Distinct configurations have distinct vectors. These are compared up to renaming: each stands for the
 // least one over the frames and both orders of the vertices.
 Judgement judge_theorem_11(const PairStudy& s) {
-  std::map<std::vector<std::pair<int, int>>, std::size_t> seen;
-  std::vector<std::size_t> pairs;
-  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
-    if (s.found.holds_pair(static_cast<int>(i))) pairs.push_back(i);
-  }
-  const auto problem = [&](std::size_t i) -> std::string {
-    const FoundNode& node = s.found.nodes[i];
+  std::map<std::vector<std::pair<int, int>>, const FoundNode*> seen;
+  const auto problem = [&](const FoundNode& node) -> std::string {
     std::vector<std::pair<int, int>> least;
     for (const auto& labelled : node.reading.frames) {
       if (!has_predicted_vector(s, node, labelled)) return "has another separatrix vector than its parameters give";
@@ -59,13 +54,11 @@ Judgement judge_theorem_11(const PairStudy& s) {
         if (least.empty() || vector < least) least = std::move(vector);
       }
     }
-    const auto [other, is_new] = seen.emplace(std::move(least), i);
+    const auto [other, is_new] = seen.emplace(std::move(least), &node);
     if (is_new) return "";
-    return "has the separatrix vector of " +
-           theory::label(s.shape.type(), s.found.nodes[other->second].reading.configuration);
+    return "has the separatrix vector of " + theory::label(s.shape.type(), other->second->reading.configuration);
   };
-  return for_each_of(pairs, "configuration", "a separatrix vector of its own", problem,
-                     [&s](std::size_t i, std::string what) { return at_node(s, i, std::move(what)); });
+  return for_each_node(s, holds_pair, "a separatrix vector of its own", problem);
 }
 
 namespace {
@@ -133,13 +126,9 @@ std::string check_hexagon(const FoundNode& node) {
 }
 
 Judgement judge_meetings(const PairStudy& s, std::string predicted, std::string (*check)(const FoundNode&)) {
-  std::vector<std::size_t> pairs;
-  for (std::size_t i = 0; i < s.found.nodes.size(); ++i) {
-    if (s.found.holds_pair(static_cast<int>(i)) && !s.found.nodes[i].reading.frames.empty()) pairs.push_back(i);
-  }
-  return for_each_of(
-      pairs, "configuration", std::move(predicted), [&](std::size_t i) { return check(s.found.nodes[i]); },
-      [&s](std::size_t i, std::string what) { return at_node(s, i, std::move(what)); });
+  return for_each_node(
+      s, [](const FoundNode& node) { return holds_pair(node) && !node.reading.frames.empty(); }, std::move(predicted),
+      check);
 }
 
 }  // namespace

@@ -9,43 +9,14 @@ namespace requad::verify {
 using mesh::BasicOperation;
 using mesh::HalfEdgeId;
 using mesh::QuadMesh;
-using mesh::Refusal;
 using mesh::Region;
 using mesh::VertexId;
-using Kind = mesh::BasicOperation::Kind;
-
-std::vector<BasicOperation> all_operations(const QuadMesh& m) {
-  std::vector<BasicOperation> operations;
-  const auto add = [&](const BasicOperation& op) {
-    if (mesh::why_not(m, op) != Refusal::none) return;
-    for (const VertexId v : mesh::changed_vertices(m, op)) {
-      if (v.valid() && m.is_boundary(v)) return;
-    }
-    operations.push_back(op);
-  };
-  for (const HalfEdgeId h : m.half_edges()) {
-    if (h < m.twin(h)) {
-      add({Kind::flip_ccw, h, {}, 0});
-      add({Kind::flip_cw, h, {}, 0});
-    }
-    if (h.index() % 4 < 2) add({Kind::collapse, h, {}, 0});
-  }
-  for (const VertexId v : m.vertices()) {
-    if (m.is_boundary(v)) continue;
-    std::vector<HalfEdgeId> out;
-    m.for_each_out(v, [&out](HalfEdgeId h) { out.push_back(h); });
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      for (std::size_t k = i + 1; k < out.size(); ++k) add({Kind::split, out[i], m.twin(out[k]), 0});
-    }
-  }
-  return operations;
-}
 
 Performed performed(const QuadMesh& m, const BasicOperation& op) {
   Performed r{op, m, {}, {}};
   mesh::apply(r.mesh, op);
   r.irregular = mesh::irregular_vertices(r.mesh);
-  for (const VertexId v : r.irregular) r.valences.insert(r.mesh.valence(v));
+  r.valences = mesh::sorted_irregular_valences(r.mesh);
   return r;
 }
 

@@ -1,5 +1,4 @@
-// Sites for single operations: generated neighbourhoods, and every operation that keeps their boundary. Private to this
-// folder.
+// Sites for single operations: generated neighbourhoods, and what an operation makes of them. Private to this folder.
 #pragma once
 
 #include <set>
@@ -11,10 +10,6 @@
 #include "verify/claims/claims.hpp"
 
 namespace requad::verify {
-
-// All legal operations that change no valence on the boundary, each once: two flips for each edge, two collapses for
-// each face (one for each diagonal), and one split for any two edges at a vertex.
-std::vector<mesh::BasicOperation> all_operations(const mesh::QuadMesh& mesh);
 
 inline bool is_flip(mesh::BasicOperation::Kind kind) {
   return kind == mesh::BasicOperation::Kind::flip_ccw || kind == mesh::BasicOperation::Kind::flip_cw;

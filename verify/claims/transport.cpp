@@ -56,13 +56,6 @@ std::optional<std::array<VertexId, 2>> edge_removed(const FoundNode& node, const
   return best;
 }
 
-// All half-edges by which an adjacent pair can leave one vertex of the pair.
-std::vector<HalfEdgeId> departures(const QuadMesh& m, VertexId v) {
-  std::vector<HalfEdgeId> result;
-  m.for_each_out(v, [&](HalfEdgeId h) { result.push_back(m.valence(v) == 3 ? h : m.twin(h)); });
-  return result;
-}
-
 // A move with a feature on an edge that its direct path removes.
 struct ObstructedMove {
   const FoundMove* move;
@@ -100,7 +93,7 @@ Detour go_round(const PairStudy& s, const ObstructedMove& obstructed, const mesh
   if (mesh::move_pair(editor, move.move).refusal == Refusal::none) detour.problem = look();
   for (const VertexId p : {move.move.frame.v1, move.move.frame.v2}) {
     const VertexId q = p == move.move.frame.v1 ? move.move.frame.v2 : move.move.frame.v1;
-    for (const HalfEdgeId start : departures(m, p)) {
+    for (const HalfEdgeId start : mesh::departures(m, p)) {
       if (!detour.problem.empty()) return detour;
       if (transport.carry({start}, std::array{q}).refusal == Refusal::none) detour.problem = look();
     }

@@ -13,12 +13,6 @@ using namespace mesh;
 
 namespace {
 
-std::multiset<int> irregular_valences_of(const QuadMesh& m) {
-  std::multiset<int> result;
-  for (const VertexId v : irregular_vertices(m)) result.insert(m.valence(v));
-  return result;
-}
-
 // The table of pair_moves.hpp, and law irregular-11.
 struct Expected {
   int d1;
@@ -46,7 +40,7 @@ bool spans(const QuadMesh& m, VertexId v1, VertexId v2, int d1, int d2) {
 class Checker {
  public:
   Checker(const QuadMesh& mesh, PairMoveTally& tally, int largest)
-      : mesh_(mesh), tally_(tally), valences_(irregular_valences_of(mesh)), largest_(largest) {}
+      : mesh_(mesh), tally_(tally), valences_(sorted_irregular_valences(mesh)), largest_(largest) {}
 
   std::string check(VertexId v1, VertexId v2) {
     ++tally_.pairs;
@@ -87,13 +81,13 @@ class Checker {
     const bool room = has_room(mesh_, move.frame);
     tally_.with_room += room ? 1 : 0;
     tally_.overlapping += overlaps_itself(mesh_, move.frame) ? 1 : 0;
-    if (refusal == Refusal::none) return check_made(move, report, after);
+    if (refusal == Refusal::none) return check_made(move, report, after, room);
     if (room) return "refused though there is room: " + std::string(refusal.clause());
     if (!(after == mesh_)) return "a refused move changed the mesh";
     return report.operations.empty() && report.undo.empty() ? "" : "a refused move reports operations";
   }
 
-  std::string check_made(const PairMove& move, const MoveReport& report, const QuadMesh& after) {
+  std::string check_made(const PairMove& move, const MoveReport& report, const QuadMesh& after, bool room) {
     const int l1 = mesh_.valence(move.frame.v1), l2 = mesh_.valence(move.frame.v2);
     if (!validate(after).empty()) return "the mesh is not valid";
     const Expected expect = expected(l1, l2, move.frame, move.step);
@@ -114,21 +108,20 @@ class Checker {
       if (v1 == v2 || after.valence(v1) != l1 || after.valence(v2) != l2) return "the pair has other valences";
       if (!spans(after, v1, v2, expect.d1, expect.d2)) return "the pair does not span the rectangle of the table";
     }
-    if (irregular_valences_of(after) != valences) return "other irregular vertices than before";
+    if (sorted_irregular_valences(after) != valences) return "other irregular vertices than before";
     QuadMesh undone = after;
     if (apply_all(undone, report.undo) != Refusal::none || !(undone == mesh_)) return "undone, the mesh is another one";
-    return check_inverse(move, report, after);
+    return check_inverse(report, after, room);
   }
 
-  std::string check_inverse(const PairMove& move, const MoveReport& report, const QuadMesh& after) {
+  std::string check_inverse(const MoveReport& report, const QuadMesh& after, bool room) {
     QuadMesh back = after;
     const Refusal refusal = move_pair(back, report.inverse).refusal;
-    const bool room = has_room(mesh_, move.frame);
     if (refusal != Refusal::none) {
       ++tally_.irreversible;
       return room ? "the inverse is refused: " + std::string(refusal.clause()) : "";
     }
-    if (irregular_valences_of(back) != valences_) return "the inverse leads to other irregular vertices";
+    if (sorted_irregular_valences(back) != valences_) return "the inverse leads to other irregular vertices";
     if (mesh_.face_count() > largest_) return "";
     if (signature_.empty()) signature_ = canonical_signature(mesh_);
     const bool returns = canonical_signature(back) == signature_;
