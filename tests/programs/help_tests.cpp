@@ -60,6 +60,45 @@ std::set<std::string> examples_of(const std::string& help) {
   return examples;
 }
 
+// The command lines of a README that call the programs of build/, without the comments after them.
+std::vector<std::string> commands_in(const std::string& readme) {
+  std::vector<std::string> commands;
+  for (std::string line : lines_of(slurp(std::filesystem::path(REQUAD_SOURCE_DIR) / readme))) {
+    line = line.substr(0, line.find("  #"));
+    line.erase(0, line.find_first_not_of(' '));
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (!line.starts_with("build/requad-") || line.starts_with("build/requad-bench")) continue;
+    for (std::size_t at = 0; (at = line.find("build/requad-", at)) != std::string::npos;) line.erase(at, 6);
+    commands.push_back(line);
+  }
+  return commands;
+}
+
+// Runs command lines, each once, in a folder that has mesh/examples as the project's root has it.
+class Examples {
+ public:
+  Examples() {
+    std::filesystem::create_directories(scratch() / "examples");
+    if (!std::filesystem::exists(scratch() / "examples/mesh"))
+      std::filesystem::create_directory_symlink(REQUAD_SOURCE_DIR "/mesh", scratch() / "examples/mesh");
+  }
+  void run(const std::string& example) {
+    // These take minutes, or need MPI.
+    static const std::set<std::string> left_out{
+        "requad-verify", "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
+        "mpirun -n 4 requad-verify --hexagon 3..15 --journal run.journal --json report.json"};
+    if (left_out.count(example) > 0 || !done_.insert(example).second) return;
+    spill(scratch() / "script", "cd examples && export PATH='" REQUAD_PROGRAM_DIR "':\"$PATH\" && " + example + "\n");
+    const Outcome outcome = call("edit", "--version >/dev/null; timeout 100 bash script");
+    INFO(example << "\n" << outcome.err);
+    CHECK(outcome.code == 0);
+  }
+  std::size_t count() const { return done_.size(); }
+
+ private:
+  std::set<std::string> done_;
+};
+
 }  // namespace
 
 TEST_CASE("every command has its own help, without wide lines and without repeated lines", "[programs]") {
@@ -82,30 +121,22 @@ TEST_CASE("every command has its own help, without wide lines and without repeat
   }
 }
 
-TEST_CASE("the examples of the help texts work as printed", "[programs]") {
-  // These examples take minutes, or need MPI.
-  const std::set<std::string> left_out{
-      "requad-verify", "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
-      "mpirun -n 4 requad-verify --hexagon 3..15 --journal run.journal --json report.json"};
-  std::filesystem::create_directories(scratch() / "examples");
-  std::filesystem::create_directory_symlink(REQUAD_SOURCE_DIR "/mesh", scratch() / "examples/mesh");
-  std::size_t run = 0;
-  std::set<std::string> done;
+TEST_CASE("the examples of the help texts and of the READMEs work as printed", "[programs]") {
+  Examples examples;
   for (const std::string& program : programs()) {
     if (tests::kSanitized && program != "edit") continue;  // the others would take minutes
     for (const auto& [called, help] : help_texts(program)) {
-      for (const std::string& example : examples_of(help)) {
-        if (left_out.count(example) > 0 || !done.insert(example).second) continue;
-        spill(scratch() / "script",
-              "cd examples && export PATH='" REQUAD_PROGRAM_DIR "':\"$PATH\" && " + example + "\n");
-        const Outcome outcome = call("edit", "--version >/dev/null; timeout 100 bash script");
-        INFO(example << "\n" << outcome.err);
-        CHECK(outcome.code == 0);
-        ++run;
-      }
+      for (const std::string& example : examples_of(help)) examples.run(example);
     }
   }
-  CHECK(run > (tests::kSanitized ? 10 : 30));
+  CHECK(examples.count() > (tests::kSanitized ? 10 : 30));
+  if (tests::kSanitized) return;
+  // In the order of the file, for some read what others write.
+  for (const char* readme : {"README.md", "verify/README.md", "mesh/irregular/README.md"}) {
+    const std::vector<std::string> commands = commands_in(readme);
+    if (readme == std::string("README.md")) CHECK(commands.size() >= 14);
+    for (const std::string& command : commands) examples.run(command);
+  }
 }
 
 TEST_CASE("an option that has no effect is refused", "[programs]") {

@@ -187,8 +187,8 @@ program::Command campaign_command(Processes& processes) {
       .examples =
           {
               "requad-verify",
-              "requad-verify --claim T2 --digon 3..40",
-              "requad-verify --claim T2 --digon 3..8 --certificate proof",
+              "requad-verify --claim T2 --digon 3..30",
+              "requad-verify --claim T2 --certificate proof && requad-verify check proof",
               "requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json",
               "requad-verify --claim T2 --method walk --digon 300",
               "requad-verify --hexagon 3..15 --journal run.journal --json report.json",

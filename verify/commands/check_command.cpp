@@ -31,7 +31,7 @@ program::Command check_command(const Processes& processes, const char* self) {
       .text = R"(DIR is a folder that --certificate wrote. verify/README.md says what it shows.
 Exit code 0: all certificates hold, 1: one does not, 2: one cannot be read.
 )",
-      .examples = {"requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify check proof"},
+      .examples = {"requad-verify --claim T2 --certificate proof && requad-verify check proof"},
       .options = {},
       .words = {1, 1},
       .run =
