@@ -6,6 +6,7 @@
 namespace requad::edit {
 
 program::Command info_command();
+program::Command draw_command();
 program::Command smooth_command();
 program::Command subdivide_command();
 program::Command moves_command();

@@ -19,6 +19,7 @@ writes nothing, and a line says why.
           .commands =
               {
                   info_command(),
+                  draw_command(),
                   smooth_command(),
                   subdivide_command(),
                   moves_command(),

@@ -62,8 +62,6 @@ void paint_on(cairo_surface_t* surface, const Paint& paint, double x, double y) 
   check(cairo_status(context.get()));
 }
 
-double snapped(double x) { return std::round(x * 4) / 4; }
-
 struct TextPart {
   std::string words;
   bool lowered = false;
@@ -95,6 +93,8 @@ std::string to_hex(Colour colour) {
   std::snprintf(buffer.data(), buffer.size(), "#%02x%02x%02x", byte(colour.red), byte(colour.green), byte(colour.blue));
   return buffer.data();
 }
+
+double Canvas::snapped(double x) const { return std::round(x / grid_) * grid_; }
 
 void Canvas::trace(const Polyline& line, bool closed) {
   Polyline points;
@@ -215,7 +215,7 @@ std::string render(const Paint& paint, const std::string& format) {
         append, &bytes, width, height));
     if (format == "pdf") {
       cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, kDate);
-      cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "requad-figures");
+      cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "requad");
     }
     paint_on(surface.get(), on_white, -x, -y);
     cairo_surface_finish(surface.get());

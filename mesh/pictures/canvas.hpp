@@ -1,7 +1,7 @@
 // A page to draw on: SVG, PDF and PNG from one description, by Cairo.
 //
-// Coordinates are in points (1/72 inch), x to the right and y upwards. They are rounded to 1/4 point, which keeps files
-// small. The page is cropped to the drawing. The same drawing gives the same bytes.
+// Coordinates are in points (1/72 inch), x to the right and y upwards. They are rounded to 1/4 point, or as round_to()
+// says, which keeps files small. The page is cropped to the drawing. The same drawing gives the same bytes.
 #pragma once
 
 #include <functional>
@@ -42,6 +42,9 @@ class Canvas {
   // The context must outlive the canvas.
   explicit Canvas(_cairo* context) : context_(context) {}
 
+  // Rounds coordinates from now on to multiples of `points`, a power of 2.
+  void round_to(double points) { grid_ = points; }
+
   void fill(const std::vector<Polyline>& polygons, Colour colour);
   void stroke(const std::vector<Polyline>& lines, const Stroke& stroke, bool closed = false);
   void polygon(const Polyline& polygon, std::optional<Colour> fill, const std::optional<Stroke>& stroke);
@@ -55,6 +58,7 @@ class Canvas {
   void text(Point at, const std::string& words, double size, Colour colour = {}, Anchor anchor = Anchor::centre);
 
  private:
+  double snapped(double x) const;
   void trace(const Polyline& line, bool closed);
   void apply(Colour colour);
   void apply(const Stroke& stroke);
@@ -62,6 +66,7 @@ class Canvas {
   void paint(std::optional<Colour> fill, const std::optional<Stroke>& stroke);
 
   _cairo* context_;
+  double grid_ = 0.25;
 };
 
 using Paint = std::function<void(Canvas&)>;

@@ -8,7 +8,9 @@
 #include <cairo.h>
 
 #include "figures/pictures/catalogue.hpp"
+#include "mesh/pictures/space_picture.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
 
 using namespace requad;
@@ -102,6 +104,16 @@ TEST_CASE("another renderer sees each figure's SVG as Cairo draws it", "[figures
     const Picture picture = entry.make({});
     CHECK(difference(render(picture.paint, "svg"), raster_by_cairo(picture)) < kFewPixels);
   }
+}
+
+TEST_CASE("another renderer sees a mesh in space as Cairo draws it", "[figures][raster]") {
+  if (!has_renderer()) return;
+  const mesh::QuadMesh m = tests::cube();
+  const mesh::Positions at{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}};
+  REQUIRE(m.vertex_count() == 8);
+  const Paint paint = side_by_side({{m, at}, {m, at, {}, {"words"}}}, {}, true, 200);
+  const Picture picture{paint, {}};
+  CHECK(difference(render(paint, "svg"), raster_by_cairo(picture)) < kFewPixels);
 }
 
 TEST_CASE("the comparison of renderers sees letters whose paths lack their line commands", "[figures][raster]") {
