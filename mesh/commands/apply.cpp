@@ -17,7 +17,7 @@ int apply(const Options& options) {
   wants_features(options);  // throws before a file is read
   const bool undo = options.has("undo");
   mesh::Script script = mesh::parse_script(mesh::read_text(words[1]), words[1]);
-  mesh::Surface input = mesh::read_surface(words[0], options.has("subdivide"));
+  mesh::Surface input = read_input(options);
   if (undo) {
     mesh::restore_ids(script, input);
     script = mesh::inverse(script);

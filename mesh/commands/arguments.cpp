@@ -12,13 +12,42 @@ std::vector<program::Option> input_options() {
                      "the edges that FILE lists are features: two vertices on each line, or the `l` lines of an OBJ "
                      "file; vertices are counted from 1"),
       program::flag("subdivide", "cut each polygon of IN with n sides into n quads first"),
+      program::flag("weld", "join vertices of IN that are at the same place"),
   };
+}
+
+std::vector<program::Option> seam_options() {
+  return {
+      program::flag("keep-seams", "seams of texture coordinates are features (the default if IN has any)"),
+      program::flag("no-keep-seams", "they are not: texture coordinates of what changes near them are guessed"),
+  };
+}
+
+std::vector<program::Option> input_and_seam_options() {
+  std::vector<program::Option> all = input_options();
+  for (program::Option& option : seam_options()) all.push_back(std::move(option));
+  return all;
+}
+
+bool keeps_seams(const Options& options, const mesh::FeatureEdges& seams) {
+  if (options.has("keep-seams") && options.has("no-keep-seams"))
+    throw UsageError("seams are kept or not: expected one of --keep-seams and --no-keep-seams");
+  for (const std::string option : {"keep-seams", "no-keep-seams"}) {
+    if (options.has(option) && seams.empty())
+      throw UsageError("--" + option + ": IN has no seams of texture coordinates");
+  }
+  return !options.has("no-keep-seams");
+}
+
+std::string not_kept_line(const mesh::Attributes& attributes) {
+  const std::string words = mesh::not_kept_text(attributes);
+  return words.empty() ? "" : "not kept: " + words + "\n";
 }
 
 program::Option output_option() { return program::output("output,o", "OUT", "the OBJ file to write, or -"); }
 
 mesh::Surface read_input(const Options& options) {
-  return mesh::read_surface(options.words().front(), options.has("subdivide"));
+  return mesh::read_surface(options.words().front(), options.has("subdivide"), options.has("weld"));
 }
 
 bool wants_features(const Options& options) {

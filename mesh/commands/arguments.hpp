@@ -10,13 +10,23 @@
 
 namespace requad::edit {
 
-// The option --subdivide, and the options that name features.
+// The options --subdivide and --weld, and the options that name features.
 std::vector<program::Option> input_options();
+// Whether the seams of texture coordinates are features of an edit.
+std::vector<program::Option> seam_options();
+// Those of input_options() and seam_options().
+std::vector<program::Option> input_and_seam_options();
+// What these say. Throws UsageError if both are given, or one for a mesh without seams.
+bool keeps_seams(const program::Options& options, const mesh::FeatureEdges& seams);
+
+// "not kept: ..." as a line of text, or "".
+std::string not_kept_line(const mesh::Attributes& attributes);
+
 // The option -o, which names an OBJ file for the result.
 program::Option output_option();
 
-// Reads the surface from the file that the first word names. With --subdivide, cuts its polygons into quads. Throws
-// FileError.
+// Reads the surface from the file that the first word names. With --subdivide, cuts its polygons into quads; with --weld,
+// joins vertices. Throws FileError.
 mesh::Surface read_input(const program::Options& options);
 
 // Whether --feature-angle or --features is given. Throws UsageError if both are.

@@ -63,7 +63,7 @@ int draw(const Options& options) {
   std::optional<mesh::Surface> before;
   mesh::FeatureEdges features_before;
   if (options.has("before")) {
-    before = mesh::read_surface(options.text("before"), options.has("subdivide"));
+    before = mesh::read_surface(options.text("before"), options.has("subdivide"), options.has("weld"));
     if (options.has("feature-angle")) features_before = read_features(options, *before);
     const mesh::Diagnosis d = mesh::diagnose(before->mesh, before->positions);
     subjects.push_back({before->mesh, before->positions, features_before, {caption("before: ", d)}});

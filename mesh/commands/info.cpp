@@ -7,6 +7,7 @@
 
 #include "mesh/commands/arguments.hpp"
 #include "mesh/commands/commands.hpp"
+#include "mesh/files/welding.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/topology/separatrix.hpp"
 
@@ -51,10 +52,12 @@ int info(const Options& options) {
   const mesh::FeatureEdges edges = read_features(options, surface);
   const auto corners = static_cast<int>(mesh::feature_corners(surface.mesh, edges).size());
 
+  const int coincident = mesh::coincident_vertices(surface.positions);
   ordered_json json{{"vertices", d.vertices},
                     {"edges", d.edges},
                     {"faces", d.faces},
                     {"unused_vertices", surface.dropped},
+                    {"coincident_vertices", coincident},
                     {"components", d.components},
                     {"boundary_loops", d.boundary_loops},
                     {"genus", d.genus},
@@ -79,6 +82,10 @@ int info(const Options& options) {
                      counted(d.boundary_loops, "boundary loop", "boundary loops") + ", Euler characteristic " +
                      std::to_string(d.euler_characteristic) + "\n";
   if (surface.dropped > 0) text += counted(surface.dropped, "vertex", "vertices") + " in no face, left out\n";
+  if (coincident > 0) {
+    text +=
+        counted(coincident, "vertex coincides with another", "vertices coincide with others") + ": --weld joins them\n";
+  }
   text += "interior valences:" + to_text(d.valences, "v") + "; " + std::to_string(d.interior_irregular) +
           " irregular, " + counted(d.doublets, "doublet", "doublets") + "\n";
   if (d.boundary_loops > 0) {

@@ -80,7 +80,7 @@ adds the numbers of the two vertices before and after each move.
 )",
       .examples = {"requad-edit moves mesh/examples/figure-17.obj 153 163",
                    "requad-edit moves mesh/examples/figure-18.obj 222 360 --feature-angle 40"},
-      .options = input_options(),
+      .options = input_and_seam_options(),
       .words = {2, 3},
       .run = moves,
   };

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <utility>
 
+#include "mesh/editing/carried_attributes.hpp"
 #include "mesh/editing/element_map.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/write_obj.hpp"
@@ -25,7 +26,7 @@ std::vector<program::Option> editing_options(std::vector<program::Option> own) {
                           "smooth N times around what changed, projected on the surface of IN (default 4)"),
        })
     all.push_back(std::move(option));
-  for (program::Option& option : input_options()) all.push_back(std::move(option));
+  for (program::Option& option : input_and_seam_options()) all.push_back(std::move(option));
   return all;
 }
 
@@ -63,9 +64,10 @@ std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
 
 }  // namespace
 
-Session::Session(const Options& options, const std::string& command) : Session(options, command, read_first(options)) {}
+Session::Session(const Options& options, const std::string& command)
+    : Session(options, command, read_first(options), true) {}
 
-Session::Session(const Options& options, std::string command, mesh::Surface input)
+Session::Session(const Options& options, std::string command, mesh::Surface input, bool seams)
     : options_(options),
       command_(std::move(command)),
       input_(std::move(input)),
@@ -73,6 +75,12 @@ Session::Session(const Options& options, std::string command, mesh::Surface inpu
   mesh_ = input_.mesh;
   positions_ = input_.positions;
   for (const auto& [a, b] : read_features(options, input_)) features_.insert(a, b);
+  if (seams) {
+    const mesh::FeatureEdges edges = mesh::texture_seams(input_);
+    if (keeps_seams(options, edges)) {
+      for (const auto& [a, b] : edges) features_.insert(a, b);
+    }
+  }
   plan_ = mesh::plan_by_angles(mesh_, features_, positions_);
 }
 
@@ -120,7 +128,8 @@ int Session::done(ordered_json summary, const std::string& text) {
   if (options_.has("script"))
     outputs.add(options_.text("script"), mesh::to_string(mesh::record_script(input_.mesh, input_.positions, editor_)));
   if (options_.has("map")) outputs.add(options_.text("map"), map_text(input_, editor_));
-  outputs.add(output, mesh::obj_text(mesh_, positions_));
+  const mesh::Attributes attributes = mesh::carried_attributes(input_, editor_);
+  outputs.add(output, mesh::obj_text(mesh_, positions_, attributes));
   const auto sizes = [](const mesh::Diagnosis& d) {
     return ordered_json{{"vertices", d.vertices},
                         {"faces", d.faces},
@@ -131,7 +140,8 @@ int Session::done(ordered_json summary, const std::string& text) {
   summary["before"] = sizes(mesh::diagnose(input_.mesh, input_.positions));
   summary["after"] = sizes(mesh::diagnose(mesh_, positions_));
   const bool taken = options_.on_stdout("script") || options_.on_stdout("map");
-  program::finish(options_, summary.dump(), taken ? "" : text, std::move(outputs));
+  if (!attributes.not_kept.empty()) summary["not_kept"] = attributes.not_kept;
+  program::finish(options_, summary.dump(), taken ? "" : text + not_kept_line(attributes), std::move(outputs));
   return program::kDone;
 }
 

@@ -22,8 +22,9 @@ class Session {
  public:
   // Reads the surface that the first word names. Throws as read_input() and read_features() do.
   Session(const program::Options& options, const std::string& command);
-  // Takes a surface that was read before. Reads the features.
-  Session(const program::Options& options, std::string command, mesh::Surface input);
+  // Takes a surface that was read before. Reads the features. Seams of texture coordinates are features if the options
+  // allow that (keeps_seams()) and `seams` is set.
+  Session(const program::Options& options, std::string command, mesh::Surface input, bool seams = false);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 

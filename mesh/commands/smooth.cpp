@@ -10,6 +10,7 @@
 
 #include "mesh/commands/arguments.hpp"
 #include "mesh/commands/commands.hpp"
+#include "mesh/editing/carried_attributes.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/diagnosis.hpp"
@@ -42,6 +43,12 @@ int smooth(const Options& options) {
   for (const auto& edge : features) {
     for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
   }
+  const mesh::FeatureEdges seams = mesh::texture_seams(surface);
+  if (keeps_seams(options, seams)) {
+    for (const auto& edge : seams) {
+      for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
+    }
+  }
   how.fixed = [&fixed](mesh::VertexId v) { return fixed[v.slot()]; };
   std::optional<mesh::SurfaceIndex> original;
   std::optional<mesh::PointIndex> original_vertices;
@@ -63,7 +70,8 @@ int smooth(const Options& options) {
   program::Outputs outputs;
   if (options.has("script"))
     outputs.add(options.text("script"), mesh::to_string(mesh::record_script(surface.mesh, surface.positions, editor)));
-  outputs.add(output, mesh::obj_text(surface.mesh, positions));
+  const mesh::Attributes attributes = mesh::carried_attributes(surface, editor);
+  outputs.add(output, mesh::obj_text(surface.mesh, positions, attributes));
 
   int moved = 0;
   double farthest = 0;
@@ -92,9 +100,10 @@ int smooth(const Options& options) {
                                {"before", quality(before)},
                                {"after", quality(after)}}
                       .dump(),
-                  options.on_stdout("script") ? ""
-                                              : counted(moved, "vertex", "vertices") + " moved\n" +
-                                                    line("before", before) + line("after ", after),
+                  options.on_stdout("script")
+                      ? ""
+                      : counted(moved, "vertex", "vertices") + " moved\n" + line("before", before) +
+                            line("after ", after) + not_kept_line(attributes),
                   std::move(outputs));
   return program::kDone;
 }
@@ -111,7 +120,7 @@ program::Command smooth_command() {
       program::flag("no-guard", "take steps that invert a quad too"),
       program::output("script", "FILE", "write the move as text, for `requad-edit apply`"),
   };
-  for (program::Option& option : input_options()) options.push_back(std::move(option));
+  for (program::Option& option : input_and_seam_options()) options.push_back(std::move(option));
   return {
       .name = "smooth",
       .usage = {"IN -o OUT"},

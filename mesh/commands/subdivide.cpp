@@ -14,13 +14,15 @@ using nlohmann::ordered_json;
 
 int subdivide(const program::Options& options) {
   const std::string output = output_path(options, "subdivide");
-  const mesh::Surface surface = mesh::read_surface(options.words().front(), true);
+  const mesh::Surface surface = mesh::read_surface(options.words().front(), true, options.has("weld"));
   program::Outputs outputs;
-  outputs.add(output, mesh::obj_text(surface.mesh, surface.positions));
+  outputs.add(output, mesh::whole_obj_text(surface));
   const int vertices = surface.mesh.vertex_count(), faces = surface.mesh.face_count();
-  program::finish(
-      options, ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
-      counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n", std::move(outputs));
+  program::finish(options,
+                  ordered_json{{"vertices", vertices}, {"faces", faces}, {"unused_vertices", surface.dropped}}.dump(),
+                  counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n" +
+                      not_kept_line(surface.attributes),
+                  std::move(outputs));
   return program::kDone;
 }
 
@@ -32,10 +34,10 @@ program::Command subdivide_command() {
       .usage = {"IN -o OUT"},
       .summary = "cuts each polygon with n sides into n quads",
       .text = R"(The vertices of IN keep their numbers and places. The middles of the edges
-follow them, then the middles of the faces.
+follow them, then the middles of the faces. Vertices in no face are written too.
 )",
       .examples = {"requad-edit subdivide mesh/examples/figure-18.obj -o fine.obj"},
-      .options = {output_option()},
+      .options = {output_option(), program::flag("weld", "join vertices of IN that are at the same place")},
       .words = {1, 1},
       .run = subdivide,
   };

@@ -114,6 +114,25 @@ FeatureEdges read_feature_edges(const std::string& path, const Surface& surface)
   return parse_feature_edges(read_text(path), path, surface);
 }
 
+FeatureEdges texture_seams(const Surface& surface) {
+  const QuadMesh& m = surface.mesh;
+  const Attributes::Values& uvs = surface.attributes.uvs;
+  FeatureEdges edges;
+  if (uvs.at_corner.empty()) return edges;
+  const auto same = [&uvs](HalfEdgeId a, HalfEdgeId b) {
+    const int i = uvs.at(a.slot()), j = uvs.at(b.slot());
+    return i == j ||
+           (i >= 0 && j >= 0 && uvs.numbers[static_cast<std::size_t>(i)] == uvs.numbers[static_cast<std::size_t>(j)]);
+  };
+  for (const HalfEdgeId h : m.half_edges()) {
+    const HalfEdgeId t = m.twin(h);
+    if (!t.valid() || t < h || (same(h, QuadMesh::next(t)) && same(QuadMesh::next(h), t))) continue;
+    edges.push_back({std::min(m.origin(h), m.target(h)), std::max(m.origin(h), m.target(h))});
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 std::vector<VertexId> feature_corners(const QuadMesh& m, const FeatureEdges& edges) {
   std::vector<int> count(static_cast<std::size_t>(m.vertex_capacity()), 0);
   for (const auto& [a, b] : edges) {

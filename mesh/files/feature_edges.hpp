@@ -30,6 +30,9 @@ FeatureEdges sharp_edges(const QuadMesh& mesh, const Positions& positions, doubl
 FeatureEdges read_feature_edges(const std::string& path, const Surface& surface);
 FeatureEdges parse_feature_edges(std::string_view text, const std::string& name, const Surface& surface);
 
+// The interior edges on whose two sides a vertex has different texture coordinates, or has them on one side only. O(E).
+FeatureEdges texture_seams(const Surface& surface);
+
 // The vertices at which features end, meet or leave the boundary, sorted: there the number of feature and boundary
 // edges is neither 0 nor 2. O(V + number of features).
 std::vector<VertexId> feature_corners(const QuadMesh& mesh, const FeatureEdges& edges);

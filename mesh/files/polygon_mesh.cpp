@@ -95,6 +95,21 @@ std::string problem_at(const PolygonMesh& m, std::size_t face, const std::string
   return m.name + ":" + std::to_string(m.lines[face]) + ": " + reason;
 }
 
+// A face that has the corners of another one, in the same order. Two faces with opposite orders can be a whole surface.
+std::string twice_problem(const PolygonMesh& m, const std::vector<Side>& /*sides*/) {
+  std::vector<std::pair<std::vector<int>, std::size_t>> faces;  // each starts with its least vertex
+  for (std::size_t f = 0; f < m.face_count(); ++f) {
+    std::vector<int> face(m.face(f).begin(), m.face(f).end());
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.emplace_back(std::move(face), f);
+  }
+  std::sort(faces.begin(), faces.end());
+  const auto twice =
+      std::adjacent_find(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice == faces.end()) return "";
+  return problem_at(m, std::next(twice)->second, "this face stands in " + line_name(m, twice->second) + " already");
+}
+
 // An edge with three faces or more.
 std::string edge_problem(const PolygonMesh& m, const std::vector<Side>& sides) {
   std::string problem;
@@ -171,54 +186,10 @@ std::string fan_problem(const PolygonMesh& m, const std::vector<Side>& sides) {
 
 std::string manifold_problem(const PolygonMesh& m) {
   const std::vector<Side> sides = sorted_sides(m);
-  for (const auto& find_problem : {edge_problem, orientation_problem, fan_problem}) {
+  for (const auto& find_problem : {twice_problem, edge_problem, orientation_problem, fan_problem}) {
     if (const std::string problem = find_problem(m, sides); !problem.empty()) return problem;
   }
   return "";
-}
-
-// --- subdivide -------------------------------------------------------------------------------------------------------
-
-PolygonMesh subdivide(const PolygonMesh& m) {
-  // By corner, the vertex at the middle of the edge to the next corner. At first each edge is named by the least corner
-  // that has it; then the edges are numbered in the order of these corners.
-  std::vector<std::size_t> midpoint(m.corners.size());
-  for_each_edge(sorted_sides(m), [&](std::span<const Side> edge) {
-    for (const Side& side : edge) midpoint[side.corner] = edge[0].corner;
-  });
-  PolygonMesh result;
-  result.name = m.name;
-  result.first_index = m.first_index;
-  result.positions = m.positions;
-  result.corners.reserve(4 * m.corners.size());
-  const auto position = [&m](int v) -> const Eigen::Vector3d& { return m.positions[static_cast<std::size_t>(v)]; };
-  for (std::size_t f = 0; f < m.face_count(); ++f) {
-    const std::span<const int> face = m.face(f);
-    const std::size_t first = m.first_corner(f);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      std::size_t& number = midpoint[first + k];
-      if (number != first + k) {
-        number = midpoint[number];
-        continue;
-      }
-      number = result.positions.size();
-      result.positions.emplace_back((position(face[k]) + position(face[(k + 1) % face.size()])) / 2);
-    }
-  }
-  for (std::size_t f = 0; f < m.face_count(); ++f) {
-    const std::span<const int> face = m.face(f);
-    const std::size_t first = m.first_corner(f);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int v : face) sum += position(v);
-    const auto centre = static_cast<int>(result.positions.size());
-    result.positions.emplace_back(sum / static_cast<double>(face.size()));
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const auto after = static_cast<int>(midpoint[first + k]);
-      const auto before = static_cast<int>(midpoint[first + (k + face.size() - 1) % face.size()]);
-      result.add_face(std::array{face[k], after, centre, before}, m.lines[f]);
-    }
-  }
-  return result;
 }
 
 }  // namespace requad::mesh

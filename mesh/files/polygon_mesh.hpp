@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/files/attributes.hpp"
 #include "mesh/geometry/measures.hpp"
 
 namespace requad::mesh {
@@ -26,6 +27,8 @@ struct PolygonMesh {
   std::vector<int> corners;       // vertices, 0-based, of all faces one after the other
   std::vector<std::size_t> ends;  // by face: where its corners end and those of the next face begin
   std::vector<int> lines;         // by face: the line in which it starts
+  std::vector<int> same_as;       // by vertex: the one with which it was welded (welding.hpp); empty if none was
+  Attributes attributes;
 
   std::size_t face_count() const { return ends.size(); }
   std::span<const int> face(std::size_t f) const {
@@ -43,13 +46,14 @@ struct PolygonMesh {
 };
 
 // Why the faces do not form an oriented manifold, as "file:line: reason" with the line of a face; "" if they do.
-// Reasons: an edge with three faces or more; faces of an orientable surface that are not oriented alike; a one-sided
-// surface (a Moebius band); a vertex whose faces form more than one fan. O(E log E).
+// Reasons: a face that stands twice; an edge with three faces or more; faces of an orientable surface that are not
+// oriented alike; a one-sided surface (a Moebius band); a vertex whose faces form more than one fan. O(E log E).
 std::string manifold_problem(const PolygonMesh& mesh);
 
 // Cuts each n-gon into n quads, one at each corner, which becomes the quad's first corner. The vertices are the given
 // ones, untouched; then the midpoint of each edge, in the order in which the faces first come to it; then the mean of
-// the corners of each face. V' = V + E + F, and F' is the sum of all n. A quad has the line of its face. O(E log E).
+// the corners of each face. V' = V + E + F, and F' is the sum of all n. A quad has the line and the state of its face.
+// Values and colours of new vertices are means, and tags of edges hold for both halves. O(E log E).
 PolygonMesh subdivide(const PolygonMesh& mesh);
 
 }  // namespace requad::mesh

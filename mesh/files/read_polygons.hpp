@@ -1,11 +1,15 @@
 // Reads polygon meshes from OBJ and OFF files.
 //
 // What is read
-//   OBJ   `v` and `f` lines. A corner is v, v/vt, v//vn or v/vt/vn; v is counted from 1, or, if negative, back from the
-//         last vertex so far. Everything else (normals, texture coordinates, groups, materials, lines, curves) is
-//         skipped. Further numbers of a vertex (weight, colour) must be numbers and are dropped.
-//   OFF   the text format, with one vertex or face to a line and indices from 0; also NOFF, COFF and STOFF, whose
-//         further numbers are dropped, as are the colours of faces.
+//   OBJ   `v` and `f` (or `fo`) lines. A corner is v, v/vt, v//vn or v/vt/vn; v is counted from 1, or, if negative,
+//         back from the last vertex so far. attributes.hpp says what else is kept. Further numbers of a vertex (weight,
+//         colour) must be numbers; they may be NaN.
+//   OFF   The text format, with its keyword ([ST][C][N]OFF) or without, indices from 0, and line ends anywhere. What
+//         follows a vertex (colours, normals, texture coordinates) or a face (a colour) must be numbers, which are
+//         dropped. Many files depart from the format: further numbers without a keyword that says so, several faces on
+//         a line. So a text is read in up to four ways (read_off.cpp), and the first that takes every word is right. A
+//         refusal is that of the first way: a vertex a line, and colours up to the line's end. Binary OFF is refused.
+//   Both  A number that is too small for a double is 0.
 // The end of the file's name says which format it is, and the first word must agree. text_scanner.hpp says what lines,
 // words and comments are.
 //

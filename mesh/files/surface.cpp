@@ -2,17 +2,20 @@
 
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/files/text_scanner.hpp"
+#include "mesh/files/welding.hpp"
 
 namespace requad::mesh {
 
-Surface to_quad_mesh(const PolygonMesh& m) {
+Surface to_quad_mesh(PolygonMesh m) {
   Surface s;
   s.file_vertices = static_cast<int>(m.positions.size());
   s.from_file.assign(m.positions.size(), -1);
   for (const int v : m.corners) s.from_file[static_cast<std::size_t>(v)] = 0;
   for (std::size_t v = 0; v < m.positions.size(); ++v) {
+    if (v < m.same_as.size() && m.same_as[v] != static_cast<int>(v)) continue;
     if (s.from_file[v] < 0) {
       ++s.dropped;
+      s.unused.push_back(m.positions[v]);
       continue;
     }
     s.from_file[v] = static_cast<int>(s.positions.size());
@@ -37,12 +40,16 @@ Surface to_quad_mesh(const PolygonMesh& m) {
     const std::string problem = manifold_problem(m);
     throw FileError(problem.empty() ? m.name + ": " + error.what() : problem);
   }
+  for (std::size_t v = 0; v < m.same_as.size(); ++v)
+    s.from_file[v] = s.from_file[static_cast<std::size_t>(m.same_as[v])];
+  s.attributes = std::move(m.attributes);
   return s;
 }
 
-Surface read_surface(const std::string& path, bool subdivided) {
-  const PolygonMesh polygons = read_polygon_mesh(path);
-  if (!subdivided) return to_quad_mesh(polygons);
+Surface read_surface(const std::string& path, bool subdivided, bool welded) {
+  PolygonMesh polygons = read_polygon_mesh(path);
+  if (welded) weld(polygons);
+  if (!subdivided) return to_quad_mesh(std::move(polygons));
   try {
     Surface s = to_quad_mesh(subdivide(polygons));
     s.file_vertices = static_cast<int>(polygons.positions.size());

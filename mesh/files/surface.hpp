@@ -15,8 +15,11 @@ struct Surface {
   QuadMesh mesh;
   Positions positions;           // by vertex slot
   std::vector<int> file_vertex;  // by vertex slot: the vertex of the polygon mesh, 0-based
-  std::vector<int> from_file;    // by vertex of the polygon mesh: the vertex slot, or -1 if no face has it
-  int dropped = 0;               // number of vertices that no face has; a QuadMesh has no such vertices
+  // By vertex of the polygon mesh: its slot, or that of the vertex with which it was welded; -1 if no face has it.
+  std::vector<int> from_file;
+  int dropped = 0;        // number of vertices that no face has; a QuadMesh has no such vertices
+  Positions unused;       // theirs, in the file's order
+  Attributes attributes;  // of the polygon mesh: its vertices; its faces and corners, which are those of `mesh`
   // Number of vertices in the file. They come first in `from_file`, which is longer if the file's faces were
   // subdivided.
   int file_vertices = 0;
@@ -25,10 +28,10 @@ struct Surface {
 // Vertices that no face has are dropped, and the others keep their order. Face i becomes FaceId(i), with its first
 // corner first. Throws FileError, "file:line: reason": a face that is not a quad, or the manifold_problem().
 // O(F), and O(F log F) for a reason.
-Surface to_quad_mesh(const PolygonMesh& mesh);
+Surface to_quad_mesh(PolygonMesh mesh);
 
-// Reads the file (read_polygons.hpp), subdivides its faces if that is asked for, and makes a quad mesh of them. Reasons
-// are in terms of the file, which knows none of the new vertices.
-Surface read_surface(const std::string& path, bool subdivided);
+// Reads the file (read_polygons.hpp), welds its vertices (welding.hpp) and subdivides its faces if that is asked for, and
+// makes a quad mesh of them. Reasons are in terms of the file, which knows none of the new vertices.
+Surface read_surface(const std::string& path, bool subdivided, bool welded = false);
 
 }  // namespace requad::mesh

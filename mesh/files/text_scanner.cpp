@@ -69,17 +69,71 @@ std::string_view TextScanner::word() {
   return text_.substr(start, at_ - start);
 }
 
+namespace {
+
+// Whether a number that no double can hold is too small. `text` is well-formed.
+bool is_underflow(std::string_view text) {
+  const std::size_t digits = text.find_first_of("0123456789."), e = text.find_first_of("eE");
+  const std::string_view mantissa = text.substr(digits, std::min(e, text.size()) - digits);
+  std::int64_t power = 0;
+  if (e != std::string_view::npos) {
+    std::string_view exponent = text.substr(e + 1);
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    const auto [end, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (error != std::errc()) return exponent.starts_with('-');
+  }
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
+  const auto first = static_cast<std::int64_t>(mantissa.find_first_not_of("0."));
+  return power + (first < point ? point - first : point + 1 - first) < 0;
+}
+
+enum class NumberProblem { none, no_number, not_finite };
+
+NumberProblem parse_number(std::string_view text, double& value) {
+  const char* const last = text.data() + text.size();
+  const bool plus = text.starts_with('+');
+  const auto [end, error] = std::from_chars(text.data() + (plus ? 1 : 0), last, value);
+  if (error == std::errc::invalid_argument || end != last || text.starts_with("+-")) return NumberProblem::no_number;
+  if (error == std::errc::result_out_of_range && is_underflow(text)) {
+    value = text.starts_with('-') ? -0.0 : 0.0;
+    return NumberProblem::none;
+  }
+  return error != std::errc() || !std::isfinite(value) ? NumberProblem::not_finite : NumberProblem::none;
+}
+
+}  // namespace
+
 double TextScanner::number(const char* what) {
   const std::string_view text = word();
   if (text.empty()) fail(std::string("the line ends where ") + what + " is expected");
   double value = 0;
-  const char* const last = text.data() + text.size();
-  const bool plus = text.front() == '+';
-  const auto [end, error] = std::from_chars(text.data() + (plus ? 1 : 0), last, value);
-  if (error == std::errc::invalid_argument || end != last || text.starts_with("+-"))
-    fail(quoted(text) + " is not a number");
-  if (error != std::errc() || !std::isfinite(value)) fail(quoted(text) + " is not a finite number");
+  const NumberProblem problem = parse_number(text, value);
+  if (problem == NumberProblem::no_number) fail(quoted(text) + " is not a number");
+  if (problem == NumberProblem::not_finite) fail(quoted(text) + " is not a finite number");
   return value;
+}
+
+void TextScanner::require_number(std::string_view word) const {
+  double value = 0;
+  if (parse_number(word, value) == NumberProblem::no_number) fail(quoted(word) + " is not a number");
+}
+
+double TextScanner::number_or(std::string_view word, double fallback) {
+  double value = 0;
+  return !word.empty() && parse_number(word, value) == NumberProblem::none ? value : fallback;
+}
+
+std::string TextScanner::rest_of_line() {
+  if (at_end_of_line()) return "";
+  const std::size_t start = at_;
+  std::size_t end = at_;
+  const int line = line_;
+  std::string words;
+  while (!at_end_of_line()) {
+    words += (words.empty() ? "" : " ") + std::string(word());
+    end = at_;
+  }
+  return line == line_ ? std::string(text_.substr(start, end - start)) : words;
 }
 
 std::int64_t TextScanner::integer(std::string_view text, std::string_view& rest) const {
@@ -101,12 +155,15 @@ std::int64_t TextScanner::integer(const char* what) {
   return value;
 }
 
+double TextScanner::coordinate() {
+  const double value = number("a coordinate");
+  if (std::abs(value) > kLargestCoordinate) fail("a coordinate is larger than 1e70");
+  return value;
+}
+
 Eigen::Vector3d TextScanner::position() {
   Eigen::Vector3d p;
-  for (double& coordinate : p) {
-    coordinate = number("a coordinate");
-    if (std::abs(coordinate) > kLargestCoordinate) fail("a coordinate is larger than 1e70");
-  }
+  for (double& x : p) x = coordinate();
   return p;
 }
 
@@ -124,6 +181,20 @@ std::string TextScanner::quoted(std::string_view word) {
   return "'" + start + (word.size() > kLongest ? "...'" : "'");
 }
 
+namespace {
+
+// Calls `fail` for what is no text that can be read, but can be told by its first bytes.
+template <class Fail>
+void refuse_known_binaries(std::string_view start, Fail&& fail) {
+  if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) fail("it is UTF-16; expected ASCII or UTF-8");
+  const std::size_t off = start.find("OFF"), binary = start.find("BINARY");
+  const std::size_t line_end = start.find_first_of("\r\n");
+  if (off < binary && binary < line_end && binary != std::string_view::npos)
+    fail("it is a binary OFF file; expected the text format");
+}
+
+}  // namespace
+
 std::string read_text(const std::string& path) {
   const auto fail = [&path](const std::string& why) { throw FileError(path + ": cannot be read: " + why); };
   std::error_code ignored;
@@ -140,6 +211,7 @@ std::string read_text(const std::string& path) {
       text.resize(std::max(size + kPiece, size + size / 2));
       in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
       const std::size_t end = size + static_cast<std::size_t>(in.gcount());
+      if (size == 0) refuse_known_binaries(std::string_view(text).substr(0, end), fail);
       if (std::memchr(text.data() + size, 0, end - size)) fail("it is no text: a zero byte is in it");
       if (end > kLargestText) fail("it is larger than 2 GiB");
       size = end;

@@ -27,12 +27,20 @@ class TextScanner {
   std::string_view word();
   bool at_end_of_line();
 
-  // The next word as a finite number, or as an integer. `what` names it in the message if it is missing.
+  // The next word as a finite number, or as an integer. `what` names it in the message if it is missing. A number that
+  // is too small for a double is 0.
   double number(const char* what);
   std::int64_t integer(const char* what);
+  // What is left of the line, without comment and outer blanks, as the text has it.
+  std::string rest_of_line();
+  // Fails unless the word is a number, which may be infinite or NaN.
+  void require_number(std::string_view word) const;
+  // The word as a finite number, or the fallback. Numbers that are too small are 0.
+  static double number_or(std::string_view word, double fallback);
   // The integer at the start of `text`. What follows it comes into `rest`, which the caller must check.
   std::int64_t integer(std::string_view text, std::string_view& rest) const;
-  // The next three words as a position, whose coordinates are within kLargestCoordinate (measures.hpp) of 0.
+  // The next word, or the next three, as coordinates, which are within kLargestCoordinate (measures.hpp) of 0.
+  double coordinate();
   Eigen::Vector3d position();
 
   int line() const { return line_; }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/files/surface.hpp"
 #include "mesh/geometry/measures.hpp"
 #include "mesh/topology/region.hpp"
 
@@ -16,7 +17,17 @@ namespace requad::mesh {
 //              mesh has no free ids.
 std::string obj_text(const QuadMesh& mesh, const Positions& positions, const std::vector<std::string>& comments = {});
 
+// The same with attributes (attributes.hpp), whose vertices, faces and corners are counted in order. The values keep
+// their indices.
+//
+// Law files-6. Reading the text gives these attributes, if all of their states are in use; except that states can have
+//              other indices, and that the kinds that are not kept are not told.
+std::string obj_text(const QuadMesh& mesh, const Positions& positions, const Attributes& attributes);
+
 // The same for a region as draw() draws it, in the plane z = 0.
 std::string obj_text(const Region& region, const std::vector<std::string>& comments = {});
+
+// The surface with all vertices of the file from which it was read, used or not, so that they keep their numbers.
+std::string whole_obj_text(const Surface& surface);
 
 }  // namespace requad::mesh

@@ -6,6 +6,8 @@
 
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/files/welding.hpp"
+#include "mesh/files/write_obj.hpp"
 #include "mesh/topology/validate.hpp"
 #include "tests/mesh/file_texts.hpp"
 #include "tests/support/catch.hpp"
@@ -82,6 +84,90 @@ TEST_CASE("OFF: everything that a file may contain is read (files-1)", "[files]"
   CHECK(faces_of(parse_off("OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "file")).size() == 1);
 }
 
+TEST_CASE("OFF: line ends may stand anywhere, and keywords and counts may be incomplete (files-1)", "[files]") {
+  const auto off = [](const std::string& text) { return parse_off(text, "file"); };
+  const std::vector<std::vector<int>> triangle{{0, 1, 2}}, two{{0, 1, 2}, {2, 1, 3}};
+  const std::string v = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  CHECK(faces_of(off("OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2")) == triangle);
+  CHECK(faces_of(off("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")) == triangle);  // no keyword
+  CHECK(faces_of(off("OFF\n4 # vertices\n2\n5\n" + v + "3\n0\n1 # here too\n2\n3 2\n1 3")) == two);
+  CHECK(faces_of(off("OFF\n4 2 5\n0\n0 0\n1 0 0 0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n")) == two);
+  CHECK(faces_of(off("OFF\n4 2 5\n" + v + "3 0 1 2 3 2 1 3\n")) == two);  // two faces on a line
+  CHECK(faces_of(off("OFF\n4 2 5\n" + v + "3 0 1 2 255 0 0\n3 2 1 3 0.5 0.5 0.5 1\n")) == two);
+  CHECK(faces_of(off("OFF\n4 1 5\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 nan 0\n1 1 0 0 1 0\n4 0 1 3 2\n"))[0].size() == 4);
+  // Mixtures of colours, normals and texture coordinates, one vertex to a line and in one piece.
+  for (const std::string keyword : {"C", "N", "ST", "CN", "STC", "STN", "STCN"}) {
+    for (const std::string colour : {" 1 0 0 1", " 255 0 0"}) {
+      const auto has = [&keyword](const char* part) { return keyword.find(part) != std::string::npos; };
+      const std::string more =
+          std::string(has("N") ? " 0 0 1" : "") + (has("C") ? colour : "") + (has("ST") ? " .5 .5" : "");
+      for (const std::string end : {"\n", " "}) {
+        if (end == " " && has("C") && colour == " 255 0 0") continue;  // three numbers are told by the line alone
+        std::string text = keyword + "OFF\n3 1 3\n";
+        for (const std::string p : {"0 0 0", "1 0 0", "0 1 0"}) text += p + more + end;
+        INFO(text);
+        const PolygonMesh m = off(text + "3 0 1 2\n");
+        CHECK(faces_of(m) == triangle);
+        CHECK(m.positions == Positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        CHECK(m.attributes.not_kept.count("colours of vertices") == (has("C") ? 1 : 0));
+      }
+    }
+  }
+}
+
+TEST_CASE("OBJ: old words, tiny numbers and colours that are no numbers are read (files-1)", "[files]") {
+  const PolygonMesh m =
+      parse_obj("v 1e-400 -1e-330 0.0\nv 1 0 0 nan inf -nan\nv 1 1 0\nv 0 1 1e-310\nfo 1 2 3 4\n", "file");
+  CHECK(m.positions[0].isZero(0));
+  CHECK(std::signbit(m.positions[0].y()));
+  CHECK(m.positions[3].z() == 1e-310);
+  CHECK(m.face_count() == 1);
+  CHECK(of_obj("v 0 0 1" + std::string(400, '0') + "\n").ends_with("is not a finite number"));
+  CHECK(of_obj("v 0 0 0." + std::string(400, '0') + "1\n") == "2: the file ends without a face");
+  CHECK(of_obj("v 0 0 0." + std::string(400, '0') + "1e900\n").ends_with("is not a finite number"));
+  CHECK(of_obj("v 0 0 1e-99999999999999999999\n") == "2: the file ends without a face");
+}
+
+TEST_CASE("files that are no text are refused by name", "[files]") {
+  const auto refusal = [](const std::string& name, const std::string& text) -> std::string {
+    spill(scratch() / name, text);
+    try {
+      read_polygon_mesh((scratch() / name).string());
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using namespace std::string_literals;
+  CHECK(refusal("utf16.obj", "\xFF\xFEv\0 \0"s).ends_with("it is UTF-16; expected ASCII or UTF-8"));
+  CHECK(refusal("utf16be.obj", "\xFE\xFF\0v\0 "s).ends_with("it is UTF-16; expected ASCII or UTF-8"));
+  CHECK(refusal("binary.off", "OFF BINARY\n\0\0\0\4"s).ends_with("it is a binary OFF file; expected the text format"));
+  CHECK(refusal("zero.obj", "v 0 0\0 0"s).ends_with("it is no text: a zero byte is in it"));
+}
+
+TEST_CASE("vertices at one place are counted and welded", "[files]") {
+  // Two quads side by side, each with its own copies of the common corners; one copy has -0.
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 1 1 0\nv 9 9 9\nv 1 -0 0\nv 2 1 0\nf 1 2 5 4\nf 8 3 9 6\nl 8 6\n";
+  PolygonMesh m = parse_obj(text, "file");
+  CHECK(coincident_vertices(m.positions) == 2);
+  CHECK(to_quad_mesh(m).mesh.vertex_count() == 8);
+  weld(m);
+  const Surface s = to_quad_mesh(m);
+  CHECK(s.mesh.vertex_count() == 6);
+  CHECK(s.dropped == 1);
+  CHECK(s.from_file == std::vector<int>{0, 1, 2, 3, 4, 4, -1, 1, 5});
+  CHECK(m.attributes.elements[0].words[0].vertex == 1);
+  // All vertices are written by subdivide, the welded and the unused ones too.
+  const Surface fine = to_quad_mesh(subdivide(m));
+  const PolygonMesh back = parse_obj(whole_obj_text(fine), "file");
+  REQUIRE(back.positions.size() == 9 + 7 + 2);
+  for (std::size_t v = 0; v < 9; ++v) CHECK(back.positions[v] == m.positions[v]);
+  CHECK(to_quad_mesh(back).mesh == fine.mesh);
+  PolygonMesh flat = parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nf 1 2 3 4\n", "file");
+  CHECK_THROWS_WITH(weld(flat), "file:5: two corners of this face are at one place, so it cannot be welded");
+}
+
 TEST_CASE("OBJ: a refusal names the line and the reason", "[files]") {
   const std::string v = kFourVertices;
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -128,12 +214,12 @@ TEST_CASE("OFF: a refusal names the line and the reason", "[files]") {
   const std::string v = "0 0 0\n1 0 0\n0 1 0\n";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "1: nothing where OFF is expected"},
-      {"3 1 0\n" + v, "1: '3' where OFF is expected"},
+      {"3 1 0\n" + v, "5: the file ends after 0 of 1 faces"},  // the keyword is optional
       {"v 0 0 0\n", "1: 'v' where OFF is expected"},
       {"OFF\n", "2: the file ends where the numbers of vertices and faces are expected"},
-      {"OFF BINARY\n", "1: 'BINARY' is not an integer"},
+      {"OFF BINARY\n", "1: this is a binary OFF file; expected the text format"},
       {"4OFF\n3 1 0\n", "1: '4OFF' is not a surface in three dimensions"},
-      {"OFF\n3\n", "2: the line ends where the number of faces is expected"},
+      {"OFF\n3\n", "3: the file ends where the number of faces is expected"},
       {"OFF\n3 1 0 9\n", "2: '9' after the numbers of vertices, faces and edges"},
       {"OFF\n1000000000 1 0\n" + v, "2: 1000000000 vertices and 1 faces are promised; 19 characters follow"},
       {"OFF\n3 1000000000 0\n" + v, "2: 3 vertices and 1000000000 faces are promised; 19 characters follow"},
@@ -145,7 +231,7 @@ TEST_CASE("OFF: a refusal names the line and the reason", "[files]") {
       {"OFF\n3 1 0\n" + v + "3 0 1 3\n", "6: vertex 3 does not exist; there are 3, counted from 0"},
       {"OFF\n3 1 0\n" + v + "3 0 1 -1\n", "6: vertex -1 does not exist; there are 3, counted from 0"},
       {"OFF\n3 1 0\n" + v + "2 0 1    \n", "6: a face has 2 corners; expected 3 or more"},
-      {"OFF\n3 1 0\n" + v + "1000000000 0 1 2\n", "6: the line ends where a face's vertex is expected"},
+      {"OFF\n3 1 0\n" + v + "1000000000 0 1 2\n", "6: a face with 1000000000 corners is promised; 7 characters follow"},
       {"OFF\n3 1 0\n" + v + "3 0 1 1\n", "6: a vertex occurs twice in this face"},
       {"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "4: the line ends where a coordinate is expected"},
       {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "5: 'nan' is not a finite number"}};
@@ -161,8 +247,8 @@ TEST_CASE("polygons that are no quad mesh are refused with the line and the reas
        "7: a face has 3 corners; expected a quad (subdividing makes quads of any polygons)"},
       {obj(8, {{1, 2, 3, 4}, {2, 1, 5, 6}, {1, 2, 7, 8}}),
        "11: edge 1-2 has 3 faces, the first in line 9; expected at most 2"},
-      {obj(6, {{1, 2, 3, 4}, {2, 5, 6, 3}, {1, 2, 3, 4}}),
-       "9: edge 2-3 has 3 faces, the first in line 7; expected at most 2"},
+      {obj(6, {{1, 2, 3, 4}, {2, 5, 6, 3}, {1, 2, 3, 4}}), "9: this face stands in line 7 already"},
+      {obj(4, {{1, 2, 3, 4}, {3, 4, 1, 2}}), "6: this face stands in line 5 already"},
       // A strip of three quads, of which the middle one is turned over.
       {obj(8, {{1, 2, 6, 5}, {2, 6, 7, 3}, {3, 4, 8, 7}}),
        "10: this face and that of line 9 are not oriented alike at edge 2-6; turning 1 of the 3 faces round would do"},
