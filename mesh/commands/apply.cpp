@@ -1,5 +1,8 @@
 // requad-edit apply: makes the edits of a script, or undoes them.
 
+#include <array>
+#include <cstdio>
+
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/editing/script.hpp"
@@ -22,13 +25,21 @@ int apply(const Options& options) {
     mesh::restore_ids(script, input);
     script = mesh::inverse(script);
   }
+  const double rounded = mesh::accept_rounded(script, input);
   Session session(options, "apply", std::move(input));
   const mesh::Replay result = mesh::replay(session.editor(), script);
   if (result.refusal != mesh::Refusal::none)
     return session.refused(words[1] + ":" + std::to_string(result.line), result.refusal);
   const auto edits = static_cast<int>(script.changes.size());
-  return session.done({{"edits", edits}, {"undone", undo}},
-                      counted(edits, "edit", "edits") + (undo ? " undone\n" : " made\n"));
+  nlohmann::ordered_json summary{{"edits", edits}, {"undone", undo}};
+  std::string text = counted(edits, "edit", "edits") + (undo ? " undone\n" : " made\n");
+  if (script.rounded) {
+    summary["rounded_by"] = rounded;
+    std::array<char, 80> line;
+    std::snprintf(line.data(), line.size(), "coordinates of IN were rounded, by at most %.2g\n", rounded);
+    text += line.data();
+  }
+  return session.done(std::move(summary), text);
 }
 
 }  // namespace
@@ -46,6 +57,11 @@ program::Command apply_command() {
       .summary = "makes the edits that another command wrote to a script (--script)",
       .text = R"(IN must be the mesh that the other command read. OUT is then what that command
 wrote, to the last bit. A script for another mesh is refused.
+
+IN may come from another program that rounded the coordinates, if its vertices and
+faces are in the same order. Each vertex that the script moves may then be away
+from its place by 1e-5 of the diagonal of the bounding box, and is put back there;
+the others keep the coordinates of IN.
 
 The map that --map writes has these keys. Everything is counted from 1 in the
 order of the files; with --subdivide in the order that `requad-edit subdivide`

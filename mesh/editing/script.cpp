@@ -1,9 +1,11 @@
 #include "mesh/editing/script.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
 #include "mesh/editing/script_ids.hpp"
+#include "mesh/files/number_text.hpp"
 #include "mesh/files/text_scanner.hpp"
 
 namespace requad::mesh {
@@ -28,14 +30,17 @@ class Fnv {
 }  // namespace
 
 MeshDigest digest(const QuadMesh& m, const Positions& positions) {
-  Fnv fnv;
+  Fnv fnv, faces;
   for (const VertexId v : m.vertices()) {
     for (const double coordinate : positions[v.slot()]) fnv.add(std::bit_cast<std::uint64_t>(coordinate));
   }
   for (const auto& face : m.compact_faces()) {
-    for (const int corner : face) fnv.add(static_cast<std::uint64_t>(corner));
+    for (const int corner : face) {
+      fnv.add(static_cast<std::uint64_t>(corner));
+      faces.add(static_cast<std::uint64_t>(corner));
+    }
   }
-  return {m.vertex_count(), m.face_count(), fnv.value()};
+  return {m.vertex_count(), m.face_count(), fnv.value(), faces.value()};
 }
 
 // --- recording -------------------------------------------------------------------------------------------------------
@@ -73,7 +78,7 @@ Script record_script(const QuadMesh& before, const Positions& positions, const E
 }
 
 Script inverse(const Script& script) {
-  Script result{script.name, script.after, script.before, {}};
+  Script result{script.name, script.after, script.before, {}, script.rounded};
   result.changes.reserve(script.changes.size());
   for (auto change = script.changes.rbegin(); change != script.changes.rend(); ++change) {
     Change& undo = result.changes.emplace_back(*change);
@@ -104,7 +109,8 @@ void check_mesh(const Script& script, const MeshDigest& expected, const MeshDige
 }  // namespace
 
 void restore_ids(const Script& script, Surface& surface) {
-  check_mesh(script, script.after, script.before, digest(surface.mesh, surface.positions));
+  const MeshDigest found = digest(surface.mesh, surface.positions);
+  if (!found.same_faces(script.after)) check_mesh(script, script.after, script.before, found);
   ScriptIds ids(script.before);
   for (const Change& change : script.changes) ids.advance(change);
   try {
@@ -114,17 +120,61 @@ void restore_ids(const Script& script, Surface& surface) {
   }
   Positions positions(static_cast<std::size_t>(surface.mesh.vertex_capacity()), Vector3d::Zero());
   std::vector<int> file_vertex(positions.size(), -1);
-  std::vector<int> from_file(surface.from_file.size(), -1);
-  std::size_t next = 0;
-  for (const VertexId v : surface.mesh.vertices()) {
-    positions[v.slot()] = surface.positions[next];
-    file_vertex[v.slot()] = surface.file_vertex[next];
-    from_file[static_cast<std::size_t>(file_vertex[v.slot()])] = v.index();
-    ++next;
+  const std::vector<VertexId> vertices = surface.mesh.vertices();
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    positions[vertices[i].slot()] = surface.positions[i];
+    file_vertex[vertices[i].slot()] = surface.file_vertex[i];
   }
+  for (int& slot : surface.from_file) slot = slot < 0 ? -1 : vertices[static_cast<std::size_t>(slot)].index();
   surface.positions = std::move(positions);
   surface.file_vertex = std::move(file_vertex);
-  surface.from_file = std::move(from_file);
+  // Attributes of faces and corners go with the faces.
+  const std::vector<FaceId> faces = surface.mesh.faces();
+  const auto spread = [&faces](std::vector<int>& values, std::size_t each) {
+    if (values.empty()) return;
+    std::vector<int> now(each * (faces.empty() ? 0 : faces.back().slot() + 1), -1);
+    for (std::size_t i = 0; i < std::min(values.size(), each * faces.size()); ++i)
+      now[each * faces[i / each].slot() + i % each] = values[i];
+    values = std::move(now);
+  };
+  spread(surface.attributes.state_of_face, 1);
+  spread(surface.attributes.uvs.at_corner, 4);
+  spread(surface.attributes.normals.at_corner, 4);
+}
+
+double accept_rounded(Script& script, Surface& surface) {
+  const MeshDigest found = digest(surface.mesh, surface.positions);
+  if (found == script.before || !found.same_faces(script.before)) return 0;
+  // The first line that names a vertex says where it is.
+  std::vector<bool> known(surface.positions.size(), false);
+  const double most = kRoundingTolerance * bounding_box_diagonal(surface.mesh, surface.positions);
+  double largest = 0;
+  VertexId farthest;
+  Positions exact = surface.positions;
+  for (const Change& change : script.changes) {
+    const VertexId v = change.vertex;
+    if (!v.valid() || v.slot() >= known.size() || known[v.slot()]) continue;
+    known[v.slot()] = true;
+    if (change.operation && change.operation->kind == Kind::split) continue;  // the vertex is made here
+    exact[v.slot()] = change.from;
+    const double distance = (change.from - surface.positions[v.slot()]).norm();
+    if (distance <= largest) continue;
+    largest = distance;
+    farthest = v;
+  }
+  if (!(largest <= most)) {
+    const auto number = [](double x) {
+      std::string text;
+      append_number(text, static_cast<float>(x));
+      return text;
+    };
+    throw FileError(script.name + ": vertex " + std::to_string(surface.file_vertex[farthest.slot()] + 1) +
+                    " of the mesh is " + number(largest) + " from where the script has it; at most " + number(most) +
+                    " is taken for rounding");
+  }
+  surface.positions = std::move(exact);
+  script.rounded = true;
+  return largest;
 }
 
 namespace {
@@ -134,7 +184,7 @@ class Replayer {
   Replayer(Editor& editor, const Script& script) : editor_(editor), m_(editor.mesh()), script_(script) {}
 
   Replay run() {
-    check_mesh(script_, script_.before, script_.after, digest(m_, *editor_.positions()));
+    if (!is_mesh(script_.before)) check_mesh(script_, script_.before, script_.after, digest(m_, *editor_.positions()));
     const std::size_t mark = editor_.mark();
     try {
       for (const Change& change : script_.changes) {
@@ -143,7 +193,7 @@ class Replayer {
         editor_.roll_back(mark);
         return {refusal, change.line};
       }
-      if (digest(m_, *editor_.positions()) != script_.after)
+      if (!is_mesh(script_.after))
         throw FileError(script_.name + ": the script does not lead to the mesh that it says");
     } catch (...) {
       editor_.roll_back(mark);
@@ -153,6 +203,10 @@ class Replayer {
   }
 
  private:
+  bool is_mesh(const MeshDigest& expected) const {
+    const MeshDigest found = digest(m_, *editor_.positions());
+    return script_.rounded ? found.same_faces(expected) : found == expected;
+  }
   [[noreturn]] void fail(const Change& change, const std::string& reason) const {
     TextScanner::fail(script_.name, change.line, reason);
   }

@@ -4,7 +4,8 @@
 // mesh and the script give the result, and the result and the script give the mesh.
 //
 //   requad-script 1                       the format and its version
-//   mesh 2930 2928 0123456789abcdef       the mesh: number of vertices, number of faces, fingerprint
+//   mesh 2930 2928 0123456789abcdef X Y   the mesh: number of vertices, number of faces, fingerprint. X and Y are the
+//                                         fingerprints of the faces alone, before and after; older scripts lack them
 //   flip_ccw H                            the operations of basic_operations.hpp; what undoes a flip follows from it
 //   flip_cw H
 //   collapse H removes V X Y Z undo split FIRST LAST CORNER
@@ -26,6 +27,9 @@
 //               that was read from a file and went through restore_ids().
 //   editing-14  A malformed script, or one that is replayed on another mesh, changes nothing, and the message is one
 //               line.
+//   editing-16  A mesh whose faces are those of the script, and whose coordinates another program has rounded, is taken
+//               by accept_rounded(). The vertices that the script moves come to the bits that it says; all others keep
+//               what they have.
 // Costs: linear in the script, with little work for each line; a replay costs what its operations cost.
 #pragma once
 
@@ -45,8 +49,15 @@ struct MeshDigest {
   int vertices = 0;
   int faces = 0;
   std::uint64_t fingerprint = 0;  // FNV-1a of the coordinates of the live vertices, then of the live faces, in order
+  std::optional<std::uint64_t> connectivity = {};  // the same of the faces alone; missing in older scripts
 
-  friend bool operator==(const MeshDigest&, const MeshDigest&) = default;
+  friend bool operator==(const MeshDigest& a, const MeshDigest& b) {
+    return a.vertices == b.vertices && a.faces == b.faces && a.fingerprint == b.fingerprint;
+  }
+  // Whether the faces are known to be the same.
+  bool same_faces(const MeshDigest& other) const {
+    return vertices == other.vertices && faces == other.faces && connectivity && connectivity == other.connectivity;
+  }
 };
 MeshDigest digest(const QuadMesh& mesh, const Positions& positions);
 
@@ -66,6 +77,7 @@ struct Script {
   MeshDigest before;
   MeshDigest after;
   std::vector<Change> changes;
+  bool rounded = false;  // whether the mesh at hand was accept_rounded(): then only faces are compared
 };
 
 // What an editor has done since the mesh was `before`. Preconditions: that mesh had no free ids, like one that was read
@@ -82,8 +94,18 @@ Script parse_script(std::string_view text, const std::string& name);
 Script inverse(const Script& script);
 
 // Gives a mesh that was written after the script, and read again, the ids that it had when it was written. The
-// inverse() of the script needs them. Throws FileError if the mesh is not the script's result.
+// inverse() of the script needs them. Coordinates may be rounded. Throws FileError if the mesh is not the script's
+// result.
 void restore_ids(const Script& script, Surface& surface);
+
+// How far coordinates may be from those that were written, for accept_rounded(): this times the diagonal of the bounding
+// box. Programs write six digits or more.
+inline constexpr double kRoundingTolerance = 1e-5;
+// If the mesh, with the ids of the script's start, differs from it in coordinates alone: puts each vertex that the script
+// moves or removes to where the script has it, and sets `rounded`. Returns the largest distance of such a vertex from
+// there; 0 if nothing was rounded, or if the mesh is another one, which replay() then refuses. Throws FileError if the
+// distance is larger than the tolerance: it names the vertex. Vertices that the script leaves alone are not compared.
+double accept_rounded(Script& script, Surface& surface);
 
 struct Replay {
   Refusal refusal = Refusal::none;  // breaks_feature or moves_feature

@@ -23,13 +23,16 @@ void append_vertex(std::string& text, const char* what, VertexId v, const Eigen:
   append_position(text, p);
 }
 
-void append_digest(std::string& text, const char* what, const MeshDigest& d) {
-  text += what + std::to_string(d.vertices) + ' ' + std::to_string(d.faces) + ' ';
+void append_hex(std::string& text, std::uint64_t number) {
   std::array<char, kHexDigits> hex;
   const auto used =
-      static_cast<std::size_t>(std::to_chars(hex.data(), hex.data() + hex.size(), d.fingerprint, 16).ptr - hex.data());
+      static_cast<std::size_t>(std::to_chars(hex.data(), hex.data() + hex.size(), number, 16).ptr - hex.data());
   text.append(kHexDigits - used, '0').append(hex.data(), used);
-  text += '\n';
+}
+
+void append_digest(std::string& text, const char* what, const MeshDigest& d) {
+  text += what + std::to_string(d.vertices) + ' ' + std::to_string(d.faces) + ' ';
+  append_hex(text, d.fingerprint);
 }
 
 BasicOperation inverse_of_flip(const BasicOperation& flip) {
@@ -50,6 +53,11 @@ class ScriptReader {
     next_line("mesh");
     expect("mesh");
     script_.before = read_digest();
+    if (!scanner_.at_end_of_line()) {
+      script_.before.connectivity = read_fingerprint();
+      script_.after.connectivity = read_fingerprint();
+    }
+    finish_line();
     ScriptIds ids(script_.before);
     while (true) {
       next_line("end");
@@ -61,7 +69,10 @@ class ScriptReader {
       ids.advance(change);
       script_.changes.push_back(std::move(change));
     }
+    const std::optional<std::uint64_t> connectivity = script_.after.connectivity;
     script_.after = read_digest();
+    script_.after.connectivity = connectivity;
+    finish_line();
     if (ids.live_vertices() != script_.after.vertices || ids.live_faces() != script_.after.faces) {
       scanner_.fail("the lines before lead to " + std::to_string(ids.live_vertices()) + " vertices and " +
                     std::to_string(ids.live_faces()) + " faces; expected what they lead to");
@@ -101,12 +112,17 @@ class ScriptReader {
     MeshDigest d;
     d.vertices = index("the number of vertices", kMost);
     d.faces = index("the number of faces", kMost);
+    d.fingerprint = read_fingerprint();
+    return d;
+  }
+
+  std::uint64_t read_fingerprint() {
     const std::string_view hex = scanner_.word();
     const char* const last = hex.data() + hex.size();
-    if (hex.size() != kHexDigits || std::from_chars(hex.data(), last, d.fingerprint, 16).ptr != last)
+    std::uint64_t number = 0;
+    if (hex.size() != kHexDigits || std::from_chars(hex.data(), last, number, 16).ptr != last)
       scanner_.fail(TextScanner::quoted(hex) + " is not a fingerprint of 16 hexadecimal digits");
-    finish_line();
-    return d;
+    return number;
   }
 
   // Reads a number that must be the expected one.
@@ -160,6 +176,13 @@ class ScriptReader {
 std::string to_string(const Script& script) {
   std::string text = "requad-script " + std::to_string(kVersion) + '\n';
   append_digest(text, "mesh ", script.before);
+  if (script.before.connectivity && script.after.connectivity) {
+    for (const MeshDigest* d : {&script.before, &script.after}) {
+      text += ' ';
+      append_hex(text, *d->connectivity);
+    }
+  }
+  text += '\n';
   for (const Change& change : script.changes) {
     if (!change.operation) {
       append_vertex(text, "place ", change.vertex, change.to);
@@ -176,6 +199,7 @@ std::string to_string(const Script& script) {
     text += '\n';
   }
   append_digest(text, "end ", script.after);
+  text += '\n';
   return text;
 }
 

@@ -17,9 +17,9 @@ struct Surface {
   std::vector<int> file_vertex;  // by vertex slot: the vertex of the polygon mesh, 0-based
   // By vertex of the polygon mesh: its slot, or that of the vertex with which it was welded; -1 if no face has it.
   std::vector<int> from_file;
-  int dropped = 0;        // number of vertices that no face has; a QuadMesh has no such vertices
-  Positions unused;       // theirs, in the file's order
-  Attributes attributes;  // of the polygon mesh: its vertices; its faces and corners, which are those of `mesh`
+  int dropped = 0;             // number of vertices that no face has; a QuadMesh has no such vertices
+  Positions unused = {};       // theirs, in the file's order
+  Attributes attributes = {};  // of the polygon mesh: its vertices; its faces and corners, which are those of `mesh`
   // Number of vertices in the file. They come first in `from_file`, which is longer if the file's faces were
   // subdivided.
   int file_vertices = 0;

@@ -17,7 +17,9 @@ using namespace requad;
 using namespace requad::mesh;
 using requad::tests::call;
 using requad::tests::crooked_torus;
+using requad::tests::line_count;
 using requad::tests::lines_of;
+using requad::tests::Outcome;
 using requad::tests::replaced;
 using requad::tests::scratch;
 using requad::tests::slurp;
@@ -166,4 +168,68 @@ TEST_CASE("requad-edit --script: the scripts of editing commands can be applied 
   CHECK(parse_script(shown.out, "stdout").before == digest(input.mesh, input.positions));
   CHECK(call("edit", cancel + " --script - --map -").code == 2);
   CHECK(call("edit", "moves " + *path + pair + " --script x.txt").code == 2);
+}
+
+TEST_CASE("apply takes a mesh whose coordinates another program has rounded (editing-16)", "[scripts][programs]") {
+  const std::string example = REQUAD_SOURCE_DIR "/mesh/examples/figure-16.obj";
+  const auto rounded_to = [](const std::string& text, int digits) {
+    std::istringstream in(text);
+    std::ostringstream out;
+    out.precision(digits);
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      double x = 0, y = 0, z = 0;
+      if (line.starts_with("v ") && words >> keyword >> x >> y >> z) {
+        out << "v " << x << " " << y << " " << z << "\n";
+      } else {
+        out << line << "\n";
+      }
+    }
+    return out.str();
+  };
+  REQUIRE(call("edit", "reduce '" + example + "' -o less.obj --script edits.txt").code == 0);
+  const std::string original = slurp(example), less = slurp(scratch() / "less.obj");
+  const Surface before = read_surface(example, false);
+  spill(scratch() / "rounded.obj", rounded_to(less, 7));
+  const Outcome back = call("edit", "apply rounded.obj edits.txt --undo -o back.obj --json undo.json");
+  CHECK(back.err.empty());
+  REQUIRE(back.code == 0);
+  CHECK(back.out.find("rounded, by at most") != std::string::npos);
+  CHECK(nlohmann::json::parse(slurp(scratch() / "undo.json"))["rounded_by"] > 0);
+  const Surface after = read_surface((scratch() / "back.obj").string(), false);
+  CHECK(after.mesh == before.mesh);
+  for (std::size_t v = 0; v < before.positions.size(); ++v)
+    CHECK((after.positions[v] - before.positions[v]).norm() < 1e-5);
+  // Forwards too. Without rounding, the last bit comes back.
+  spill(scratch() / "start.obj", rounded_to(original, 7));
+  CHECK(call("edit", "apply start.obj edits.txt -o again.obj").code == 0);
+  CHECK(read_surface((scratch() / "again.obj").string(), false).mesh ==
+        read_surface((scratch() / "less.obj").string(), false).mesh);
+  REQUIRE(call("edit", "apply less.obj edits.txt --undo -o exact.obj").code == 0);
+  CHECK(read_surface((scratch() / "exact.obj").string(), false).positions == before.positions);
+
+  // Too coarse, or one vertex somewhere else: the difference is told. Other faces are another mesh.
+  const auto refusal = [](const std::string& text) {
+    spill(scratch() / "other.obj", text);
+    const Outcome outcome = call("edit", "apply other.obj edits.txt --undo -o no.obj");
+    CHECK(outcome.code == 2);
+    CHECK(line_count(outcome.err) == 1);
+    return outcome.err;
+  };
+  const std::string coarse = refusal(rounded_to(less, 3));
+  CHECK(coarse.find("from where the script has it; at most") != std::string::npos);
+  CHECK(coarse.find("edits.txt: vertex ") != std::string::npos);
+  std::string turned = less;  // the first face starts at another corner
+  const std::size_t face = turned.find("\nf ") + 3, first_end = turned.find(' ', face), end = turned.find('\n', face);
+  turned = turned.substr(0, face) + turned.substr(first_end + 1, end - first_end - 1) + " " +
+           turned.substr(face, first_end - face) + turned.substr(end);
+  CHECK(refusal(turned).find("belongs to another mesh") != std::string::npos);
+  // A script without the fingerprints of the faces is exact.
+  std::string older = slurp(scratch() / "edits.txt");
+  const std::size_t line = older.find("mesh "), stop = older.find('\n', line);
+  older = older.substr(0, stop - 2 * 17) + older.substr(stop);
+  spill(scratch() / "edits.txt", older);
+  CHECK(refusal(rounded_to(less, 7)).find("belongs to another mesh") != std::string::npos);
+  CHECK(call("edit", "apply less.obj edits.txt --undo -o exact.obj").code == 0);
 }
