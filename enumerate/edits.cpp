@@ -158,8 +158,9 @@ bool has_adjacent_pair(const QuadMesh& m) {
   });
 }
 
-// The mesh up to isomorphism rel boundary, with its feature edges: two meshes with one text are the same.
-std::string text_with_features(const QuadMesh& m, HalfEdgeId root, const mesh::FeatureSet& features) {
+// The mesh up to isomorphism rel boundary, with the half-edges that are marked: two meshes with one text are the same.
+template <class IsMarked>
+std::string text_with_marks(const QuadMesh& m, HalfEdgeId root, IsMarked&& is_marked) {
   std::string text = mesh::signature(m, root);
   std::vector<bool> met(static_cast<std::size_t>(m.face_capacity()), false);
   std::deque<HalfEdgeId> queue{root};  // one half-edge of each face, by which the face is entered
@@ -168,7 +169,7 @@ std::string text_with_features(const QuadMesh& m, HalfEdgeId root, const mesh::F
     HalfEdgeId h = queue.front();
     queue.pop_front();
     for (int k = 0; k < 4; ++k, ++number, h = QuadMesh::next(h)) {
-      if (features.is_edge(m.origin(h), m.target(h))) text += ' ' + std::to_string(number);
+      if (is_marked(h)) text += ' ' + std::to_string(number);
       const HalfEdgeId beyond = m.twin(h);
       if (!beyond.valid() || met[QuadMesh::face(beyond).slot()]) continue;
       met[QuadMesh::face(beyond).slot()] = true;
@@ -178,37 +179,74 @@ std::string text_with_features(const QuadMesh& m, HalfEdgeId root, const mesh::F
   return text;
 }
 
-}  // namespace
+// Where in a transport an operation may be made.
+enum class Use { never, on_the_way, at_the_end, anywhere };
 
-std::vector<std::string> transports_round(const Region& region, const mesh::FeatureSet& features) {
+// Makes operations in every order, as long as the region has its irregular vertices and one adjacent pair besides, until
+// the pair is gone. Returns the signatures of the meshes at the end. use(mesh, operation, is_first) says where an
+// operation may be made; is_marked(mesh, half-edge) tells meshes on the way apart that have one signature.
+template <class UseOf, class IsMarked>
+std::vector<std::string> exhaust_transports(const Region& region, UseOf&& use, IsMarked&& is_marked) {
   const VertexId corner = region.mesh.origin(region.root);
   const std::multiset<int> before = mesh::sorted_irregular_valences(region.mesh);
   const int least = irregularity(before);
-  std::set<std::string> seen{text_with_features(region.mesh, region.root, features)};
+  std::set<std::string> seen;
   std::set<std::string> ends;
   std::deque<QuadMesh> queue{region.mesh};
-  while (!queue.empty()) {
+  for (bool is_first = true; !queue.empty(); is_first = false) {
     const QuadMesh m = std::move(queue.front());
     queue.pop_front();
     for_each_operation(m, [&](const BasicOperation& op) {
-      if (features.why_not(m, op) != Refusal::none) return;
-      for (const VertexId v : mesh::changed_vertices(m, op)) {
-        if (v.valid() && features.is_vertex(v)) return;
-      }
+      const Use allowed = use(m, op, is_first);
+      if (allowed == Use::never) return;
       QuadMesh next = m;
       mesh::apply(next, op);
       const std::multiset<int> valences = mesh::sorted_irregular_valences(next);
       const bool arrived = irregularity(valences) == least && valences.size() == before.size();
-      if (!arrived && (irregularity(valences) > least + 2 || !has_adjacent_pair(next))) return;
+      if (allowed == (arrived ? Use::on_the_way : Use::at_the_end)) return;
       const HalfEdgeId root = next.out(corner);
       if (arrived) {
         ends.insert(mesh::signature(next, root));
-      } else if (seen.insert(text_with_features(next, root, features)).second) {
-        queue.push_back(std::move(next));
+        return;
       }
+      if (irregularity(valences) > least + 2 || !has_adjacent_pair(next)) return;
+      if (seen.insert(text_with_marks(next, root, [&](HalfEdgeId h) { return is_marked(next, h); })).second)
+        queue.push_back(std::move(next));
     });
   }
   return {ends.begin(), ends.end()};
+}
+
+bool changes(const QuadMesh& m, const BasicOperation& op, VertexId v) {
+  const auto changed = mesh::changed_vertices(m, op);
+  return std::find(changed.begin(), changed.end(), v) != changed.end();
+}
+
+}  // namespace
+
+std::vector<std::string> transports_round(const Region& region, const mesh::FeatureSet& features) {
+  return exhaust_transports(
+      region,
+      [&features](const QuadMesh& m, const BasicOperation& op, bool) {
+        if (features.why_not(m, op) != Refusal::none) return Use::never;
+        const auto changed = mesh::changed_vertices(m, op);
+        const bool touches = std::any_of(changed.begin(), changed.end(),
+                                         [&features](VertexId v) { return v.valid() && features.is_vertex(v); });
+        return touches ? Use::never : Use::anywhere;
+      },
+      [&features](const QuadMesh& m, HalfEdgeId h) { return features.is_edge(m.origin(h), m.target(h)); });
+}
+
+std::vector<std::string> pipelines(const Region& region, VertexId first, VertexId last, Passing passing) {
+  const bool keeps_last = passing == Passing::not_allowed;
+  return exhaust_transports(
+      region,
+      [=](const QuadMesh& m, const BasicOperation& op, bool is_first) {
+        if (is_first) return changes(m, op, first) && !changes(m, op, last) ? Use::on_the_way : Use::never;
+        if (!keeps_last) return Use::anywhere;
+        return changes(m, op, last) ? Use::at_the_end : Use::on_the_way;
+      },
+      [=](const QuadMesh& m, HalfEdgeId h) { return keeps_last && m.origin(h) == last; });
 }
 
 }  // namespace requad::enumerate

@@ -45,4 +45,13 @@ std::optional<EditResult> fewer_by_operations(const mesh::Region& region, int mo
 // steps of mesh/irregular/transport.hpp. The number of meshes on the way grows fast with the region.
 std::vector<std::string> transports_round(const mesh::Region& region, const mesh::FeatureSet& features);
 
+// Whether the adjacent pair may pass the vertex `last`, which then is a v6 or a v2 for a while.
+enum class Passing { allowed, not_allowed };
+
+// Exhausts the pipelines of section 6 that start at one vertex of a pair and end at the other, in the same way. The first
+// operation moves `first` and leaves `last` as it is. Without passing, only the last operation changes the valence of
+// `last`. Precondition: the region has no other irregular vertex.
+std::vector<std::string> pipelines(const mesh::Region& region, mesh::VertexId first, mesh::VertexId last,
+                                   Passing passing);
+
 }  // namespace requad::enumerate

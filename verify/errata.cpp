@@ -1,8 +1,11 @@
 #include "verify/errata.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 
+#include "enumerate/edits.hpp"
 #include "enumerate/exploration.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "verify/case_list.hpp"
@@ -36,6 +39,39 @@ std::size_t points_up_to(int bound) {
   std::size_t count = 0;
   for (int s = 1; s <= bound; ++s) count += static_cast<std::size_t>(s) + 1;
   return count;
+}
+
+// What is wrong with the text of the pipeline of a 3-5 pair: the first region in which a v3 that starts cannot do without
+// passing the v5.
+std::optional<Erratum> pipeline_from_the_v3() {
+  Ranges ranges;
+  ranges.quad_perimeter = {16, 18};
+  for (const RegionCase& region : list_cases(ranges, {Family::quad})) {
+    const enumerate::Exploration e = enumerate::explore_all(std::get<PairCase>(region).shape, theory::Apex::without);
+    for (const enumerate::FoundMove& move : e.moves) {
+      const mesh::PairFrame& frame = move.move.frame;
+      if (move.to < 0 || frame.distance() < 3) continue;
+      const enumerate::FoundNode& from = e.nodes[static_cast<std::size_t>(move.from)];
+      const std::string& to = e.nodes[static_cast<std::size_t>(move.to)].signature;
+      const auto made = [&](mesh::VertexId first, mesh::VertexId last) {
+        const auto ends = enumerate::pipelines(from.region, first, last, enumerate::Passing::not_allowed);
+        return std::count(ends.begin(), ends.end(), to) > 0;
+      };
+      if (made(frame.v2, frame.v1) || !made(frame.v1, frame.v2)) continue;
+      return Erratum{
+          "Section 6",
+          "A 3-5 pair moves in each of four directions by moving the v3, transporting the 3-5 pair and removing it at "
+          "the v5; alternatively, in reverse.",
+          "In reverse, from the v5, always. From the v3 the pair must pass the v5 in some directions if there is no "
+          "way "
+          "round: the v5 is then a v6 for a while, and a split ends the move in place of a removal.",
+          describe(region) + ", configuration " + theory::label(e.shape.type(), from.reading.configuration) + ", " +
+              mesh::name(move.move.step) +
+              ": no order of operations that starts at the v3 changes the v5 by the last "
+              "operation alone, though one that starts at the v5 changes the v3 so"};
+    }
+  }
+  return std::nullopt;
 }
 
 // The smallest region that can be filled with three irregular vertices, but not with fewer.
@@ -111,6 +147,33 @@ std::vector<Erratum> find_errata() {
                               " irregular vertices inside, G = " + std::to_string(mesh::total_index(region.mesh)) +
                               ", " + std::to_string(mesh::side_lengths(region).size()) + " sides";
                      }));
+  add(first_instance(theory::kHexagon, theory::Apex::without,
+                     {"Proof of Theorem 7.3",
+                      "Two separatrices meet the first of two consecutive sides d1 apart, the second d2 apart (E3 and "
+                      "E4 are such sides).",
+                      "They meet the first side d2 apart and the second d1 apart, with the d1 and d2 of Equation 2: E3 "
+                      "= d2 + e2 + e4, "
+                      "E4 = d1 + e3 + e5. The parameter set is symmetric, so the theorem is as it was.",
+                      ""},
+                     [](int, const enumerate::Exploration& e) -> std::string {
+                       for (const enumerate::FoundNode& node : e.nodes) {
+                         const enumerate::LabelledFrame& labelled = node.reading.frames.front();
+                         const theory::Configuration& c = labelled.labelling;
+                         if (c.d1() == c.d2() || c.degenerate()) continue;
+                         // Side 3 of Equation 2 is the one that v1's last outward separatrix meets, the fifth counted from its first leg.
+                         const auto vector = enumerate::separatrix_vector(node.region, labelled.frame);
+                         const mesh::BoundaryPosition last = vector[4];
+                         for (std::size_t i = 5; i < vector.size(); ++i) {
+                           if (vector[i].side != last.side) continue;
+                           return theory::label(e.shape.type(), node.reading.configuration) +
+                                  " has d1 = " + std::to_string(c.d1()) + ", d2 = " + std::to_string(c.d2()) +
+                                  ", and a separatrix of each vertex meets E3, " +
+                                  std::to_string(std::abs(last.distance - vector[i].distance)) + " apart";
+                         }
+                       }
+                       return "";
+                     }));
+  add(pipeline_from_the_v3());
   add(three_without_room());
   return found;
 }

@@ -80,7 +80,10 @@ Ends slide(DirectTransport& transport, PairFrame frame, Hand hand) {
     transport.start(m.twin(along_outward), m.target(along_outward));
   }
   const int diagonal = std::min(forward, sideways);
-  transport.split(hand, forward - diagonal);
+  // Along a segment the pair of a v3 reaches the v5 head on and makes it a v6, which the last split parts evenly.
+  const bool head_on = from_v3 && !to_v3 && sideways == 0;
+  transport.split(hand, forward - diagonal - (head_on ? 1 : 0));
+  if (head_on) transport.split(hand, 1, 3);
   transport.flip(hand, diagonal);
   transport.collapse(hand, sideways - diagonal);
   return {transport.moved(), to_v3 ? transport.v3() : transport.v5()};

@@ -4,6 +4,7 @@
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/theory/integer_vector.hpp"
 #include "tests/verify/falsifying.hpp"
+#include "verify/claims/surfaces.hpp"
 #include "verify/errata.hpp"
 
 using namespace requad;
@@ -193,6 +194,15 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
   fails("P4", quad, [&](PairStudy& x) {
     for (auto& node : x.found.nodes) node.signature += "0";
   });
+  // Claim P5: what pipelines and slides make is unknown, and what the move makes is another mesh.
+  const PairStudy apart = study_of(theory::kQuad, sides({2, 3, 5, 6}));
+  fails("P5", apart, [](PairStudy& x) {
+    for (auto& node : x.found.nodes) node.signature += "0";
+  });
+  fails("P5", apart, [](PairStudy& x) {
+    for (auto& move : x.found.moves) move.to = move.to < 0 ? move.to : move.from;
+  });
+  fails("P5", apart, [](PairStudy& x) { x.found.nodes.back().signature += "0"; });
   const auto three = [](const theory::IntegerVector& s) {
     return std::get<TripleStudy>(study(TripleCase{{3, 3, 5}, s}, kAll));
   };
@@ -229,4 +239,44 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     for (auto& node : x.found.nodes)
       node.region = enumerate::glue_region(theory::kQuad, {{2, 1, theory::IntegerVector::Constant(4, 2)}, 1});
   });
+}
+
+// Claim P6 makes its own moves on the surfaces that it makes. So here the moves are falsified.
+TEST_CASE("claim P6 fails on falsified moves", "[verify]") {
+  using mesh::PairStep;
+  fails("P6", study_of(theory::kQuad, sides({3, 2, 2, 3})),
+        [](PairStudy& x) { x.found.nodes[0].reading.frames[0].labelling.parameters.e.setConstant(2); });
+  const PairStudy digon = study_of(theory::kDigon, sides({6, 6}));
+  const auto& node = *std::find_if(digon.found.nodes.begin(), digon.found.nodes.end(), [](const auto& n) {
+    return n.reading.configuration.d1() == 1 && n.reading.configuration.d2() == 1;
+  });
+  const mesh::QuadMesh& m = node.region.mesh;
+  const auto& irregular = node.reading.irregular;
+  for (const mesh::PairMove& move : mesh::pair_moves(m, irregular[0], irregular[1])) {
+    mesh::QuadMesh after = m;
+    const mesh::MoveReport report = mesh::move_pair(after, move);
+    INFO(mesh::name(move.step));
+    REQUIRE(report.refusal == mesh::Refusal::none);
+    CHECK(surface_move_problem(m, move, after, report) == "");
+    const auto wrong = [&](const auto& falsify) {
+      mesh::PairMove other_move = move;
+      mesh::QuadMesh other_mesh = after;
+      mesh::MoveReport other = report;
+      falsify(other_move, other_mesh, other);
+      CHECK(surface_move_problem(m, other_move, other_mesh, other) != "");
+    };
+    using Move = mesh::PairMove;
+    using Mesh = mesh::QuadMesh;
+    using Report = mesh::MoveReport;
+    wrong([](Move&, Mesh&, Report& r) { r.refusal = mesh::Refusal::edge_exists; });
+    wrong([&](Move&, Mesh& x, Report& r) { x = m, r.refusal = mesh::Refusal::edge_exists; });  // there is room
+    wrong([&](Move&, Mesh& x, Report&) { x = m; });
+    wrong([](Move& x, Mesh&, Report&) { x.step = x.step == PairStep::close ? PairStep::open : PairStep::close; });
+    wrong([](Move& x, Mesh&, Report&) { ++x.frame.d1; });
+    wrong([](Move&, Mesh&, Report& r) { r.undo.pop_back(); });
+    wrong([&](Move&, Mesh&, Report& r) { r.after[1] = m.origin(node.region.root); });
+    wrong([](Move&, Mesh&, Report& r) {
+      r.inverse.step = r.inverse.step == PairStep::slide_first ? PairStep::slide_second : PairStep::slide_first;
+    });
+  }
 }

@@ -113,7 +113,7 @@ class Certificate {
       require(step != Step::close || operation.kind == Operation::Kind::collapse,
               "a close move does not only collapse");
       disk.apply(operation);
-      if (i + 1 < operations) transport.pass(disk);
+      i + 1 < operations ? transport.pass(disk) : transport.arrive(disk);
     }
     const auto found = index_.find(disk.form());
     require(found != index_.end() && found->second == to.node, "a script leads to another mesh");

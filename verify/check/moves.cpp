@@ -109,6 +109,12 @@ bool is_configuration(const Region& region, const std::vector<Irregular>& irregu
   return low == 4 - region.l1 && high == 4 - region.l2;
 }
 
+int index_at(const std::vector<Irregular>& irregular, int vertex) {
+  const auto it =
+      std::find_if(irregular.begin(), irregular.end(), [=](const Irregular& i) { return i.vertex == vertex; });
+  return it == irregular.end() ? 0 : it->index;
+}
+
 // Takes index off a vertex's entry.
 void subtract(std::vector<Irregular>& from, const Irregular& what) {
   const auto it = std::find_if(from.begin(), from.end(), [&](const Irregular& i) { return i.vertex == what.vertex; });
@@ -122,7 +128,8 @@ void subtract(std::vector<Irregular>& from, const Irregular& what) {
 
 }  // namespace
 
-Transport::Transport(const Region& region, const Disk& before) : region_(region), pair_(before.irregular()) {
+Transport::Transport(const Region& region, const Disk& before)
+    : region_(region), before_(before.irregular()), pair_(before_) {
   if (pair_.size() == 1) {
     pair_[0].index /= 2;
     pair_.push_back(pair_[0]);
@@ -145,12 +152,23 @@ void Transport::pass(const Disk& disk) {
   if (!started_) {
     started_ = true;
     for (std::size_t q = 0; q < 2; ++q) {
+      const int p = pair_[1 - q].vertex;
+      if (index_at(disk.irregular(), p) == index_at(before_, p)) continue;
       for (const Irregular& vertex : disk.irregular())
         guesses_.push_back({pair_[q], {vertex.vertex, pair_[1 - q].index}});
     }
   }
   std::erase_if(guesses_, [&](const Guess& guess) { return !fits(disk, guess); });
   require(!guesses_.empty(), "a script is no transport of one adjacent 3-5 pair");
+}
+
+void Transport::arrive(const Disk& disk) const {
+  const std::vector<Irregular>& irregular = disk.irregular();
+  const bool q_absorbs = std::any_of(guesses_.begin(), guesses_.end(), [&](const Guess& guess) {
+    return irregular.size() == 1 ? irregular[0].vertex == guess.moved.vertex
+                                 : index_at(irregular, guess.moved.vertex) == guess.moved.index;
+  });
+  require(!started_ || q_absorbs, "a transported pair comes back to the vertex that sent it");
 }
 
 }  // namespace check

@@ -17,9 +17,11 @@
 // check-8  (section 6) A move takes one vertex of the pair one edge further, from p to p'. This leaves an adjacent 3-5
 //          pair, which is transported until it is absorbed and a pair is there again. So each mesh on the way holds
 //          p', the other vertex q, and two vertices at the ends of an edge, with the indices of p and q, +1 and -1.
-//          Where some of the four are one vertex, their indices add up. p' and q keep their names on the way. A mesh on
-//          the way that holds a pair or a merged vertex shows that the script is made of two moves. An open move only
-//          splits, and a close move only collapses.
+//          Where some of the four are one vertex, their indices add up. p' and q keep their names on the way. The first
+//          operation changes the index of p. The last one leaves p' as it is, so that q absorbs the pair: one that goes
+//          round q and back to p' is no move, though it can make the same mesh. A mesh on the way that holds a pair or a
+//          merged vertex shows that the script is made of two moves. An open move only splits, and a close move only
+//          collapses.
 #pragma once
 
 #include <array>
@@ -81,6 +83,8 @@ class Transport {
   Transport(const Region& region, const Disk& before);
   // Looks at the mesh after an operation that is not the last one. Throws Rejected unless it is as check-8 says.
   void pass(const Disk& disk);
+  // Looks at the mesh after the last operation, which holds the pair or the merged vertex. The same.
+  void arrive(const Disk& disk) const;
 
  private:
   // What may be true: q, and p' once it is known.
@@ -91,7 +95,8 @@ class Transport {
   bool fits(const Disk& disk, const Guess& guess) const;
 
   const Region region_;
-  std::vector<Irregular> pair_;  // before; the merged vertex is two vertices in one place
+  const std::vector<Irregular> before_;
+  std::vector<Irregular> pair_;  // before_; the merged vertex is two vertices in one place
   std::vector<Guess> guesses_;
   bool started_ = false;
 };

@@ -137,7 +137,8 @@ Judgement judge_faces(const PairStudy& s);             // P3
 Judgement judge_locality(const PairStudy& s);          // N4
 Judgement judge_closed_surfaces(const PairStudy& s);   // P6
 // transport.cpp
-Judgement judge_detour(const PairStudy& s);  // P4
+Judgement judge_detour(const PairStudy& s);    // P4
+Judgement judge_pipeline(const PairStudy& s);  // P5
 // three_vertices.cpp
 Judgement judge_three_vertices(const TripleStudy& s);  // N3
 // regions.cpp

@@ -227,14 +227,16 @@ Integer change_of_d1(mesh::PairStep step, int l1, int l2) {
   return grows == (l1 == 3) ? 1 : -1;
 }
 
-// A move on a closed surface. Returns what is wrong with it, or "".
-std::string check_on_surface(const mesh::QuadMesh& m, const mesh::PairMove& move, std::int64_t& made) {
+}  // namespace
+
+std::string surface_move_problem(const mesh::QuadMesh& m, const mesh::PairMove& move, const mesh::QuadMesh& after,
+                                 const mesh::MoveReport& report) {
   const mesh::PairFrame& frame = move.frame;
   const int l1 = m.valence(frame.v1), l2 = m.valence(frame.v2);
-  mesh::QuadMesh after = m;
-  const mesh::MoveReport report = mesh::move_pair(after, move);
-  if (report.refusal != mesh::Refusal::none) return after == m ? "" : "a refused move changed the surface";
-  ++made;
+  if (report.refusal != mesh::Refusal::none) {
+    if (!(after == m)) return "a refused move changed the surface";
+    return mesh::has_room(m, frame) ? "a move is refused though there is room" : "";
+  }
   if (!mesh::validate(after).empty()) return "a move leaves no valid mesh";
   const Integer c = l1 != l2 ? 0 : l1 == 3 ? -1 : 1;
   if (after.face_count() - m.face_count() != faces_law(move.step, frame.d1, frame.d2, c))
@@ -266,6 +268,8 @@ std::string check_on_surface(const mesh::QuadMesh& m, const mesh::PairMove& move
   return "";
 }
 
+namespace {
+
 // All moves of some pairs of a closed surface, the first and then every n-th.
 std::string check_surface(const mesh::QuadMesh& m, std::int64_t& tried, std::int64_t& made) {
   std::vector<std::array<mesh::VertexId, 2>> pairs;
@@ -277,13 +281,28 @@ std::string check_surface(const mesh::QuadMesh& m, std::int64_t& tried, std::int
   for (std::size_t i = 0; i < pairs.size(); i += stride) {
     for (const mesh::PairMove& move : mesh::pair_moves(m, pairs[i][0], pairs[i][1])) {
       ++tried;
-      if (std::string problem = check_on_surface(m, move, made); !problem.empty()) return problem;
+      mesh::QuadMesh after = m;
+      const mesh::MoveReport report = mesh::move_pair(after, move);
+      if (report.refusal == mesh::Refusal::none) ++made;
+      if (std::string problem = surface_move_problem(m, move, after, report); !problem.empty()) return problem;
     }
   }
   return "";
 }
 
 }  // namespace
+
+// What is wrong with has_room() on a configuration, or "". The faces round R_alpha touch no boundary iff all e_i >= 2, and
+// in a convex region nothing else is in their way.
+std::string room_problem(const FoundNode& node) {
+  for (const auto& [frame, labelling] : node.reading.frames) {
+    const auto& e = labelling.parameters.e;
+    const bool free = std::all_of(e.begin(), e.end(), [](Integer x) { return x >= 2; });
+    if (mesh::has_room(node.region.mesh, frame) != free)
+      return "R_alpha is said to have room where it has none, or not";
+  }
+  return "";
+}
 
 // Spheres, tori and surfaces of genus two: the doubles of the first configuration.
 Judgement judge_closed_surfaces(const PairStudy& s) {
@@ -301,6 +320,12 @@ Judgement judge_closed_surfaces(const PairStudy& s) {
         return at_region(s, "its double of Euler characteristic " + std::to_string(surface.euler) + ": " + what);
       });
   j.checks += tried;
+  for (const FoundNode& node : s.found.nodes) {
+    ++j.checks;
+    std::string problem = room_problem(node);
+    if (!problem.empty() && !j.violation)
+      j.violation = at_node(s, static_cast<std::size_t>(&node - s.found.nodes.data()), std::move(problem));
+  }
   j.found += ", " + std::to_string(made) + " of " + counted(tried, "move") + " made";
   j.row = {{"sides", side_list(s.shape.sides())}, {"pair", s.shape.type().name()}, {"moves", tried}, {"made", made}};
   return j;

@@ -180,16 +180,35 @@ std::vector<Claim> operation_claims() {
           .check = judge_detour,
       },
       {
+          .id = "P5",
+          .where = "section 6",
+          .statement = "A 3-5 pair at distance 3 or more moves in each direction from either vertex: the first "
+                       "operation moves that vertex and leaves an adjacent 3-5 pair, which is transported until it "
+                       "moves the other one. From the v5 only the last operation changes the v3. From the v3 the pair "
+                       "may have to pass the v5, which is a v6 meanwhile.",
+          .compares = "to perimeter 18, what basic operations make in any order that start at one vertex and move one "
+                      "adjacent pair, with what moves make; in larger regions, slides started at either vertex",
+          .fails_if =
+              "from one vertex no order of operations makes a move, or one makes what no moves make; or a slide "
+              "is refused from one vertex, starts at the other one, or makes another mesh",
+          .families = {quad},
+          .methods = {kMoves},
+          .check = judge_pipeline,
+      },
+      {
           .id = "P6",
           .where = "section 6",
           .statement =
               "On closed surfaces a pair move changes (d1,d2) and the number of quads as its step says, and can be "
-              "undone; or it is refused and changes nothing. The inverse move leads back where R_alpha has room.",
+              "undone; or it is refused and changes nothing. Where R_alpha has room, that is, where it and the faces "
+              "round it do not overlap and hold no other irregular vertex, no move is refused, and the inverse move "
+              "leads back.",
           .compares = "moves of pairs on spheres, tori and surfaces of genus two made of the regions: rectangles and "
-                      "quads before and after, the undone move, the inverse move",
+                      "quads before and after, the undone move, the inverse move; in the regions, room and strips",
           .fails_if = "a move leaves an invalid mesh, another rectangle or another number of quads, cannot be undone, "
-                      "or is refused and changes the mesh; or the inverse is refused where there is room, or does not "
-                      "lead back where R_alpha is a grid",
+                      "or is refused and changes the mesh; the move or its inverse is refused where there is room, or "
+                      "the inverse does not lead back there; or R_alpha has room in a region though an e_i is 1, or "
+                      "none though all are 2 or more",
           .families = kPairs,
           .methods = {kMoves},
           .check = judge_closed_surfaces,

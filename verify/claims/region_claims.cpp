@@ -150,8 +150,9 @@ std::vector<Claim> region_claims() {
           .where = "proof of 7.2",
           .statement =
               "In a digon each side meets a separatrix of one vertex between two of the other: u20 < u11 < u22, with "
-              "u11 - u20 = d1 and u22 - u11 = d2. (The d1 and d2 of Equations 2 and 3; the proof names them the other "
-              "way round.) A segment of length d: one separatrix of each vertex, d apart.",
+              "u11 - u20 = d1 and u22 - u11 = d2. (The d1 and d2 of Equations 2 and 3. The proof names them the other "
+              "way round, which is no slip: the equations of a digon are symmetric in them.) A segment of length d: "
+              "one separatrix of each vertex, d apart.",
           .compares = "where separatrices meet the sides, extents of R_alpha",
           .fails_if = "a side meets other separatrices, or they are not d1 and d2 apart in this order",
           .families = {regular_digon, other_digon},
@@ -163,8 +164,9 @@ std::vector<Claim> region_claims() {
           .where = "proof of 7.3",
           .statement =
               "In a hexagon exactly four sides meet two separatrices, one of each vertex: two opposite pairs of "
-              "neighbours, d2 apart on the first and d1 on the second, counter-clockwise. (As Equation 2 has them; the "
-              "proof names them the other way round.) A segment of length d: two opposite sides, d apart.",
+              "neighbours, d2 apart on the first and d1 on the second, counter-clockwise. (As Equation 2 has them; "
+              "that the proof names them the other way round is an erratum.) A segment of length d: two opposite sides, "
+              "d apart.",
           .compares = "where separatrices meet the sides, extents of R_alpha",
           .fails_if = "other sides meet two separatrices, both are of one vertex, or they are not d1 and d2 apart in "
                       "this order",

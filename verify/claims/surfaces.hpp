@@ -1,8 +1,10 @@
-// Surfaces that are made of a region by cutting out quads and by doubling. Private to this folder.
+// Surfaces that are made of a region by cutting out quads and by doubling, and moves on them. Private to this folder.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "mesh/irregular/pair_moves.hpp"
 #include "mesh/topology/region.hpp"
 
 namespace requad::verify {
@@ -17,5 +19,9 @@ struct MadeSurface {
 // whose corners lie inside; two holes have no corner in common. A double is two copies, the second one mirrored, joined
 // by a strip of quads along each boundary. O(F) for each.
 std::vector<MadeSurface> surfaces_from(const mesh::Region& region);
+
+// What claim P6 says of one move on a closed surface, which left `after` and this report: what is wrong, or "".
+std::string surface_move_problem(const mesh::QuadMesh& before, const mesh::PairMove& move, const mesh::QuadMesh& after,
+                                 const mesh::MoveReport& report);
 
 }  // namespace requad::verify

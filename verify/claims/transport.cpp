@@ -1,8 +1,9 @@
-// The claim that a transport goes round a sharp feature (P4).
+// Claims about the adjacent pair on its way: it goes round a sharp feature (P4), and from either end of a pair (P5).
 #include "mesh/irregular/transport.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "mesh/topology/distances.hpp"
@@ -151,6 +152,98 @@ Judgement judge_detour(const PairStudy& s) {
              {"made_round_the_feature", made},
              {"possible", nullptr}};
     if (exhausted) j.row["possible"] = possible;
+  }
+  return j;
+}
+
+namespace {
+
+// The largest perimeter for which pipelines are exhausted.
+constexpr int kLargestAllPipelines = 18;
+// From here on the first operation can move one vertex of a pair alone, in every direction.
+constexpr int kFar = 3;
+
+// The signatures of what pipelines make of a configuration.
+struct Pipelines {
+  std::set<std::string> from_v5;        // only their last operation changes the v3
+  std::set<std::string> from_v3;        // the adjacent pair may pass the v5
+  std::set<std::string> from_v3_alone;  // only their last operation changes the v5
+};
+
+Pipelines pipelines_of(const FoundNode& node, const mesh::PairFrame& frame) {
+  const auto set_of = [&](VertexId first, VertexId last, enumerate::Passing passing) {
+    const std::vector<std::string> list = enumerate::pipelines(node.region, first, last, passing);
+    return std::set<std::string>(list.begin(), list.end());
+  };
+  using enum enumerate::Passing;
+  return {set_of(frame.v1, frame.v2, not_allowed), set_of(frame.v2, frame.v1, allowed),
+          set_of(frame.v2, frame.v1, not_allowed)};
+}
+
+// Makes a slide from one end. Its first operation moves that end alone, and it leads where the move leads. Returns what
+// is wrong, or "".
+std::string check_start(const PairStudy& s, const FoundMove& move, bool from_v3) {
+  const Region& region = s.found.nodes[static_cast<std::size_t>(move.from)].region;
+  mesh::PairMove slide = move.move;
+  slide.from_v2 = from_v3;
+  QuadMesh after = region.mesh;
+  const mesh::MoveReport report = mesh::move_pair(after, slide);
+  const std::string from = from_v3 ? "from the v3" : "from the v5";
+  if (report.refusal != Refusal::none) return "the slide is refused " + from;
+  if (signature_of(region, after) != s.found.nodes[static_cast<std::size_t>(move.to)].signature)
+    return "the slide makes another mesh " + from;
+  const auto changed = mesh::changed_vertices(region.mesh, report.operations.front());
+  const auto has = [&changed](VertexId v) { return std::find(changed.begin(), changed.end(), v) != changed.end(); };
+  const mesh::PairFrame& frame = slide.frame;
+  return has(from_v3 ? frame.v2 : frame.v1) && !has(from_v3 ? frame.v1 : frame.v2) ? "" : "no slide starts " + from;
+}
+
+}  // namespace
+
+// The pipeline of section 6 and its reverse. In a small region all pipelines are exhausted. In every region slides are
+// made from both ends. (A v5 on a segment does not start a slide by collapses, so that one is made from its v3.)
+Judgement judge_pipeline(const PairStudy& s) {
+  std::vector<const FoundMove*> moves;
+  for (const FoundMove& move : s.found.moves) {
+    if (move.to >= 0 && move.move.frame.distance() >= kFar) moves.push_back(&move);
+  }
+  const bool exhausted = s.shape.perimeter() <= kLargestAllPipelines;
+  std::map<int, Pipelines> pipelines;  // by configuration
+  int alone = 0;
+  Judgement j = for_each_of(
+      moves, "move", "made from either vertex",
+      [&](const FoundMove* move) -> std::string {
+        const mesh::PairFrame& frame = move->move.frame;
+        const bool slides =
+            move->move.step == mesh::PairStep::slide_first || move->move.step == mesh::PairStep::slide_second;
+        for (const bool from_v3 : {false, true}) {
+          if (!slides || (frame.degenerate() && !from_v3)) continue;
+          if (std::string problem = check_start(s, *move, from_v3); !problem.empty()) return problem;
+        }
+        if (!exhausted) return "";
+        const FoundNode& from = s.found.nodes[static_cast<std::size_t>(move->from)];
+        if (pipelines.count(move->from) == 0) pipelines.emplace(move->from, pipelines_of(from, frame));
+        const Pipelines& made = pipelines.at(move->from);
+        const std::string& wanted = s.found.nodes[static_cast<std::size_t>(move->to)].signature;
+        alone += static_cast<int>(made.from_v3_alone.count(wanted));
+        if (made.from_v5.count(wanted) == 0) return "no pipeline from the v5 makes the move";
+        return made.from_v3.count(wanted) == 0 ? "no pipeline from the v3 makes the move" : "";
+      },
+      [&s](const FoundMove* move, std::string what) { return at_move(s, *move, std::move(what)); });
+  for (const auto& [node, made] : pipelines) {
+    for (const auto* ends : {&made.from_v5, &made.from_v3}) {
+      ++j.checks;
+      const bool known = std::all_of(ends->begin(), ends->end(), [&s](const std::string& end) {
+        return std::any_of(s.found.nodes.begin(), s.found.nodes.end(),
+                           [&end](const FoundNode& n) { return n.signature == end; });
+      });
+      if (!known && !j.violation)
+        j.violation = at_node(s, static_cast<std::size_t>(node), "a pipeline makes what no moves make");
+    }
+  }
+  if (j.applies && exhausted) {
+    j.row = {
+        {"sides", side_list(s.shape.sides())}, {"moves", moves.size()}, {"from_the_v3_without_passing_the_v5", alone}};
   }
   return j;
 }

@@ -25,7 +25,9 @@ struct Claimed {
   std::vector<std::string> regions;
 };
 const std::vector<Claimed> kClaimed{
-    {"T2", "--claim T2 --digon 5..6 --other-perimeter 20", {"3-3-5-5.txt", "3-3-6-6.txt", "3-3-6-14.txt"}},
+    {"T2",
+     "--claim T2 --digon 5..7 --other-perimeter 20",
+     {"3-3-5-5.txt", "3-3-6-6.txt", "3-3-7-7.txt", "3-3-6-14.txt"}},
     {"T3",
      "--claim T3 --hexagon 4..5 --other-perimeter 20",
      {"5-5-4-4-4-4-4-4.txt", "5-5-5-5-5-5-5-5.txt", "5-5-3-3-4-3-3-4.txt"}},

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/verify/check/tampering_tools.hpp"
+#include "tests/verify/check/wrong_transports.hpp"
 
 namespace requad::tests {
 
@@ -135,6 +136,19 @@ std::vector<Tampering> with_meshes() {
   };
 }
 
+// Gives a slide of a 3-3 pair another script. Larger regions take long.
+bool transport_wrongly(ListedRegion& r, WrongTransport kind) {
+  if (r.pair != "3-3" || r.perimeter() > 14) return false;
+  for (ListedEdge& e : r.edges) {
+    if (!e.step.starts_with("slide") || e.from == e.to) continue;
+    Script script = wrong_transport(r, e, kind);
+    if (script.empty()) continue;
+    e.script = std::move(script);
+    return true;
+  }
+  return false;
+}
+
 std::vector<Tampering> with_edges() {
   return {
       {"the steps are nonsense", "there is no such step", in_edges([](ListedEdge& e) { e.step = "somehow"; })},
@@ -256,6 +270,12 @@ std::vector<Tampering> with_edges() {
          }
          return false;
        })},
+      {"the adjacent pair of a slide goes round the other vertex and comes back",
+       "a transported pair comes back to the vertex that sent it",
+       in_region([](ListedRegion& r) { return transport_wrongly(r, WrongTransport::comes_back); })},
+      {"a slide transports a v3 and a v5 that have no edge in common",
+       "a script is no transport of one adjacent 3-5 pair",
+       in_region([](ListedRegion& r) { return transport_wrongly(r, WrongTransport::apart); })},
       {"a script leads elsewhere", "a script leads to another mesh", in_region([](ListedRegion& r) {
          ListedEdge* const e = edge_with(r, 1);
          if (e == nullptr) return false;
