@@ -49,6 +49,8 @@ TEST_CASE("each claim fails on falsified facts", "[verify]") {
     fails(id, s, [](PairStudy& x) { x.searched->front() += "0"; });
   }
   fails("T2", digon, [](PairStudy& x) { x.searched_merged->clear(); });
+  // A region without configurations, which theory alone calls empty.
+  fails("T4", study_of(theory::kQuad, sides({2, 2, 2, 2})), [](PairStudy& x) { x.searched.reset(); });
   // The predicted order of the moves round a node, of a rectangle, of a segment and of a merged v6, is another one.
   const auto swap_two_moves = [](theory::MapNode& node) {
     std::swap(node.moves[0], node.moves[1]);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <tuple>
 
 #include "enumerate/generators.hpp"
 #include "mesh/topology/signature.hpp"
@@ -245,6 +246,12 @@ std::string surface_move_problem(const mesh::QuadMesh& m, const mesh::PairMove& 
   const Integer change = change_of_d1(move.step, l1, l2);
   const Integer d1 = frame.d1 + change, d2 = frame.d2 + (slide ? -change : change);
   const auto [a, b] = report.after;
+  std::multiset<int> expected = mesh::sorted_irregular_valences(m);
+  if (d1 == 0 && d2 == 0) {
+    for (const int l : {l1, l2}) expected.erase(expected.find(l));
+    expected.insert(l1 + l2 - 4);
+  }
+  if (mesh::sorted_irregular_valences(after) != expected) return "another vertex has become irregular, or regular";
   if (d1 == 0 && d2 == 0) {
     if (a != b || after.valence(a) != l1 + l2 - 4) return "a pair with d1 = d2 = 0 is not merged";
   } else {
@@ -270,6 +277,18 @@ std::string surface_move_problem(const mesh::QuadMesh& m, const mesh::PairMove& 
 
 namespace {
 
+// What the moves of a pair make: the step, d1, d2, and the surface afterwards, "" if the move is refused.
+using Made = std::multiset<std::tuple<mesh::PairStep, int, int, std::string>>;
+Made made_by(const mesh::QuadMesh& m, mesh::VertexId v1, mesh::VertexId v2) {
+  Made made;
+  for (const mesh::PairMove& move : mesh::pair_moves(m, v1, v2)) {
+    mesh::QuadMesh after = m;
+    const bool done = mesh::move_pair(after, move).refusal == mesh::Refusal::none;
+    made.insert({move.step, move.frame.d1, move.frame.d2, done ? mesh::canonical_signature(after) : ""});
+  }
+  return made;
+}
+
 // All moves of some pairs of a closed surface, the first and then every n-th.
 std::string check_surface(const mesh::QuadMesh& m, std::int64_t& tried, std::int64_t& made) {
   std::vector<std::array<mesh::VertexId, 2>> pairs;
@@ -286,6 +305,8 @@ std::string check_surface(const mesh::QuadMesh& m, std::int64_t& tried, std::int
       if (report.refusal == mesh::Refusal::none) ++made;
       if (std::string problem = surface_move_problem(m, move, after, report); !problem.empty()) return problem;
     }
+    if (made_by(m, pairs[i][0], pairs[i][1]) != made_by(m, pairs[i][1], pairs[i][0]))
+      return "a pair has other moves in the other order";
   }
   return "";
 }

@@ -199,13 +199,15 @@ std::vector<Claim> operation_claims() {
           .id = "P6",
           .where = "section 6",
           .statement =
-              "On closed surfaces a pair move changes (d1,d2) and the number of quads as its step says, and can be "
-              "undone; or it is refused and changes nothing. Where R_alpha has room, that is, where it and the faces "
+              "On closed surfaces a pair move changes (d1,d2) and the number of quads as its step says, no valence of "
+              "any other irregular vertex, and can be undone; or it is refused and changes nothing. Where R_alpha has "
+              "room, that is, where it and the faces "
               "round it do not overlap and hold no other irregular vertex, no move is refused, and the inverse move "
-              "leads back.",
+              "leads back. The pairs v1, v2 and v2, v1 have the same moves.",
           .compares = "moves of pairs on spheres, tori and surfaces of genus two made of the regions: rectangles and "
                       "quads before and after, the undone move, the inverse move; in the regions, room and strips",
-          .fails_if = "a move leaves an invalid mesh, another rectangle or another number of quads, cannot be undone, "
+          .fails_if = "a move leaves an invalid mesh, another rectangle, another number of quads or other irregular "
+                      "vertices, cannot be undone, "
                       "or is refused and changes the mesh; the move or its inverse is refused where there is room, or "
                       "the inverse does not lead back there; or R_alpha has room in a region though an e_i is 1, or "
                       "none though all are 2 or more",

@@ -165,7 +165,8 @@ std::vector<Claim> region_claims() {
           .statement =
               "In a hexagon exactly four sides meet two separatrices, one of each vertex: two opposite pairs of "
               "neighbours, d2 apart on the first and d1 on the second, counter-clockwise. (As Equation 2 has them; "
-              "that the proof names them the other way round is an erratum.) A segment of length d: two opposite sides, "
+              "that the proof names them the other way round is an erratum.) A segment of length d: two opposite "
+              "sides, "
               "d apart.",
           .compares = "where separatrices meet the sides, extents of R_alpha",
           .fails_if = "other sides meet two separatrices, both are of one vertex, or they are not d1 and d2 apart in "

@@ -227,9 +227,10 @@ Judgement judge_theorem(const PairStudy& s) {
   const int predicted = s.pairs_predicted();
   // Only the search can find out that a region has no configuration. Without it theory would be compared with theory.
   const bool predicted_empty = s.exact_count == 0 && s.map.nodes.empty();
-  if (predicted_empty && !s.searched && s.found.nodes.empty()) return not_applicable();
+  if (predicted_empty && !s.search_asked && s.found.nodes.empty()) return not_applicable();
   Judgement j;
   Requirements required(j);
+  required.that(!s.search_asked || s.searched, at_region(s, "the region was not searched"));
   j.row = {{"sides", side_list(s.shape.sides())}, {"predicted", s.exact_count}, {"parameters", predicted}};
   required.that(s.exact_count == predicted, at_region(s, "the closed form gives " + std::to_string(s.exact_count) +
                                                              ", the parameter set has " + std::to_string(predicted)));

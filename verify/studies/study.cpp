@@ -147,6 +147,7 @@ PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& m
   const bool search = methods.count(Method::search) > 0;
   const bool moves = methods.count(Method::moves) > 0;
   if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(shape, progress);
+  s.search_asked = search;
   if (!search && !moves) return s;
   s.map = theory::configuration_map(shape, theory::Apex::with);
   if (search) {

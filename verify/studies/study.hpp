@@ -47,6 +47,7 @@ struct PairStudy {
   std::optional<Signatures> searched_merged;  // fillings with the merged vertex alone; equal valences only
   // The result of the walk, if that is asked for.
   std::optional<enumerate::WalkResult> walked;
+  bool search_asked = false;
 
   int pairs_predicted() const;  // configurations of the parameter set, which hold the pair
   int pairs_found() const;
