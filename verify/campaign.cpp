@@ -136,6 +136,7 @@ void add_up(const RegionCase& region, CaseResult& result, CampaignResult& campai
     ++family.regions;
     family.checks += j.checks;
     if (!j.row.is_null()) total.table.push_back(std::move(j.row));
+    total.violated += j.violation ? 1 : 0;
     if (j.violation && !total.violation) {
       total.violation = std::move(j.violation);
       total.predicted = std::move(j.predicted);

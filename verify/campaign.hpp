@@ -28,6 +28,7 @@ struct ClaimResult {
   std::map<Family, FamilyTotal> totals;
   nlohmann::ordered_json table = nlohmann::ordered_json::array();
   double seconds = 0;                  // spent on judging, summed over threads
+  std::int64_t violated = 0;           // regions that violate the claim
   std::optional<Violation> violation;  // the first in the order of the cases
   std::optional<RegionCase> violating_region;
   std::string predicted;  // for the violating region, beside what was found there (claims/claims.hpp)

@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 
+#include "verify/claims/judging.hpp"
 #include "verify/errata.hpp"
 #include "verify/sentences.hpp"
 
@@ -97,6 +98,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
                               {"compares", c.claim->compares},
                               {"fails_if", c.claim->fails_if},
                               {"seconds", c.seconds},
+                              {"violated", c.violated},
                               {"counterexample", counterexample(c)},
                               {"proof", proof_json(c.proof)},
                               {"totals", totals},
@@ -142,6 +144,7 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << '\n' << c.claim->id << " fails";
     if (c.violating_region) out << ": " << describe(*c.violating_region);
     out << ": " << described(*c.violation) << '\n';
+    if (c.violated > 1) out << "  and in " << counted(c.violated - 1, "other region") << ", not shown\n";
     if (!c.predicted.empty()) out << "  predicted: " << c.predicted << "\n  found: " << c.found << '\n';
   }
   return out.str();

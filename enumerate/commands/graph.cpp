@@ -1,6 +1,8 @@
 // requad-enumerate graph: the configuration graph of a region.
 
 #include <functional>
+#include <iostream>
+#include <utility>
 
 #include "enumerate/attributed_graph.hpp"
 #include "enumerate/commands/arguments.hpp"
@@ -23,15 +25,26 @@ std::string empty_graph_text(const std::string& format) {
   return empty_graph_json().dump() + "\n";
 }
 
+// Says on standard error, in one line, which part of the graph is not written.
+void report_merged_left_out(const Exploration& found) {
+  std::int64_t merged = 0, moves = 0;
+  for (std::size_t i = 0; i < found.nodes.size(); ++i) merged += found.holds_pair(static_cast<int>(i)) ? 0 : 1;
+  for (const FoundMove& move : found.moves) moves += move.to >= 0 && !found.holds_pair(move.to) ? 1 : 0;
+  if (merged == 0) return;
+  std::cerr << "requad-enumerate: left out: " << merged << (merged == 1 ? " configuration" : " configurations")
+            << " in which the pair is merged, and " << moves << (moves == 1 ? " edge" : " edges")
+            << " to it; --with-apex adds them\n";
+}
+
 int graph(const program::Options& options) {
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
   const std::string format = options.choice("format", {"json", "dot", "graphml"}, "json");
   required_pair(options);
   std::function<std::string(const std::string&)> text = empty_graph_text;
   if (!reports_odd_boundary(options)) {
-    text = [found = explore_all(required_shape(options), apex), apex](const std::string& wanted) {
-      return graph_text(found, apex, wanted);
-    };
+    Exploration found = explore_all(required_shape(options), apex);
+    if (apex == theory::Apex::without) report_merged_left_out(found);
+    text = [found = std::move(found), apex](const std::string& wanted) { return graph_text(found, apex, wanted); };
   }
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), text("json"));

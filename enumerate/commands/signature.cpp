@@ -3,6 +3,7 @@
 #include "mesh/topology/signature.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"
@@ -22,7 +23,12 @@ bool is_closed(const QuadMesh& mesh) { return mesh::boundary_loop_count(mesh) ==
 // The signature of the mesh in a file. The mesh must be connected.
 int signature_of_file(const Options& options, const std::string& path) {
   options.allow_only("signature FILE", {"subdivide"});
-  const QuadMesh m = mesh::read_surface(path, options.has("subdivide")).mesh;
+  const mesh::Surface surface = mesh::read_surface(path, options.has("subdivide"));
+  const QuadMesh& m = surface.mesh;
+  if (surface.dropped > 0) {
+    std::cerr << "requad-enumerate: " << program::one_line(path)
+              << ": vertices in no face, left out: " << surface.dropped << '\n';
+  }
   if (const int components = mesh::component_count(m); components != 1)
     throw UsageError(path + ": the mesh has " + std::to_string(components) + " components; expected one");
   const std::string kept = mesh::canonical_signature(m),

@@ -1,5 +1,9 @@
 #include "mesh/commands/arguments.hpp"
 
+#include <iostream>
+
+#include "mesh/program/program.hpp"
+
 namespace requad::edit {
 
 using program::Options;
@@ -70,6 +74,12 @@ std::string output_path(const Options& options, const std::string& command) {
   if (path.ends_with(".off") || path.ends_with(".OFF"))
     throw UsageError(path + ": only OBJ can be written; expected a name that ends in .obj");
   return path;
+}
+
+void report_left_out(const Options& options, const mesh::Surface& surface) {
+  if (surface.dropped == 0) return;
+  std::cerr << "requad-edit: " << program::one_line(options.words().front()) << ": "
+            << counted(surface.dropped, "vertex", "vertices") << " in no face, left out\n";
 }
 
 std::string counted(int count, const std::string& one, const std::string& many) {

@@ -37,6 +37,9 @@ mesh::FeatureEdges read_features(const program::Options& options, const mesh::Su
 // The path that -o gives. Throws UsageError if -o is missing or names an OFF file.
 std::string output_path(const program::Options& options, const std::string& command);
 
+// Says on standard error, in one line, how many vertices of the file the result lacks since no face has them.
+void report_left_out(const program::Options& options, const mesh::Surface& surface);
+
 // "1 vertex", "2 vertices".
 std::string counted(int count, const std::string& one, const std::string& many);
 

@@ -142,6 +142,7 @@ int Session::done(ordered_json summary, const std::string& text) {
   const bool taken = options_.on_stdout("script") || options_.on_stdout("map");
   if (!attributes.not_kept.empty()) summary["not_kept"] = attributes.not_kept;
   program::finish(options_, summary.dump(), taken ? "" : text + not_kept_line(attributes), std::move(outputs));
+  report_left_out(options_, input_);
   return program::kDone;
 }
 

@@ -105,6 +105,7 @@ int smooth(const Options& options) {
                       : counted(moved, "vertex", "vertices") + " moved\n" + line("before", before) +
                             line("after ", after) + not_kept_line(attributes),
                   std::move(outputs));
+  report_left_out(options, surface);
   return program::kDone;
 }
 

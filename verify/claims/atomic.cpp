@@ -121,14 +121,13 @@ struct VertexStep {
   Performed done;
 };
 
-// All steps of a single vertex: of a v3 by collapse or flip, of a v5 by split or flip.
+// All steps of a single vertex, of a v3 or a v5.
 std::vector<VertexStep> vertex_steps(const QuadMesh& m, int valence) {
   const VertexId v = mesh::irregular_vertices(m)[0];
-  const Kind other_kind = valence == 3 ? Kind::collapse : Kind::split;
   std::vector<VertexStep> steps;
   for (const BasicOperation& op : mesh::operations_inside(m)) {
     const Performed r = performed(m, op);
-    if (r.valences != std::multiset<int>{3, 5, valence} || (!is_flip(op.kind) && op.kind != other_kind)) continue;
+    if (r.valences != std::multiset<int>{3, 5, valence}) continue;
     for (const VertexId n : m.neighbours(v)) {
       if (!r.mesh.is_live(n) || r.mesh.valence(n) != valence) continue;
       std::vector<VertexId> rest;
@@ -154,16 +153,25 @@ Judgement judge_vertex_steps(const VertexStudy& s) {
   const Region* region = neighbourhood_of_3_or_5(s);
   if (region == nullptr) return not_applicable();
   const QuadMesh& m = region->mesh;
-  std::map<VertexId, std::map<bool, int>> ways;  // by flip or not
-  for (const VertexStep& step : vertex_steps(m, s.valence())) ++ways[step.to][is_flip(step.done.operation.kind)];
-  const std::string others = s.valence() == 3 ? " collapses" : " splits";
+  struct Ways {
+    int collapses = 0, splits = 0, flips = 0;
+    bool operator==(const Ways&) const = default;
+  };
+  const auto text = [](const Ways& w) {
+    return std::to_string(w.collapses) + " collapses, " + std::to_string(w.splits) + " splits and " +
+           std::to_string(w.flips) + " flips";
+  };
+  std::map<VertexId, Ways> ways;
+  for (const VertexStep& step : vertex_steps(m, s.valence())) {
+    Ways& w = ways[step.to];
+    const Kind kind = step.done.operation.kind;
+    ++(kind == Kind::collapse ? w.collapses : kind == Kind::split ? w.splits : w.flips);
+  }
+  const Ways expected = s.valence() == 3 ? Ways{2, 1, 2} : Ways{0, 2, 2};
   return for_each_of(
-      m.neighbours(mesh::irregular_vertices(m)[0]), "neighbour", "reached by 2" + others + " and 2 flips",
+      m.neighbours(mesh::irregular_vertices(m)[0]), "neighbour", "reached by " + text(expected),
       [&](VertexId n) {
-        return ways[n][true] == 2 && ways[n][false] == 2
-                   ? ""
-                   : "towards one neighbour " + std::to_string(ways[n][false]) + others + " and " +
-                         std::to_string(ways[n][true]) + " flips, not two and two";
+        return ways[n] == expected ? "" : "towards one neighbour " + text(ways[n]) + ", not " + text(expected);
       },
       placed_in(*region));
 }

@@ -74,10 +74,11 @@ std::vector<Claim> operation_claims() {
       {
           .id = "A2",
           .where = "section 5",
-          .statement = "v3: each direction by two collapses and two flips; v5: each of five directions by two splits "
-                       "and two flips.",
+          .statement =
+              "v3: each direction by two collapses and two flips, and by one split, which the paper leaves out; "
+              "v5: each of five directions by two splits and two flips; nothing else moves them so.",
           .compares = "all operations after which a neighbour has the vertex's valence beside an adjacent 3-5 pair",
-          .fails_if = "towards one neighbour there are not exactly two operations of each kind",
+          .fails_if = "towards one neighbour there are not exactly so many operations of each kind",
           .families = {single_vertex},
           .methods = {kMoves},
           .check = judge_vertex_steps,
@@ -107,8 +108,9 @@ std::vector<Claim> operation_claims() {
       {
           .id = "A5",
           .where = "section 5",
-          .statement = "A v3 beside an adjacent 3-5 pair removes the pair by one split or flip and moves by an edge, a "
-                       "v5 by one collapse or flip: Figure 4 in reverse.",
+          .statement =
+              "A v3 beside an adjacent 3-5 pair removes the pair by one split or flip and moves by an edge, a "
+              "v5 by one collapse or flip: Figure 4 in reverse. (A v3 also by the collapse that undoes a split.)",
           .compares = "from every mesh that A2 makes, all operations after which one irregular vertex is left",
           .fails_if = "from one of these meshes no operation of the inverse kind leads back, or one that leaves a "
                       "single vertex leads to another mesh",

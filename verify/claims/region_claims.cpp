@@ -18,8 +18,9 @@ std::vector<Claim> region_claims() {
       {
           .id = "T1",
           .where = "Theorem 7.1",
-          .statement = "A single irregular vertex whose valence 4 does not divide has one configuration. (Sharp: in a "
-                       "regular region of side L, a v8 or v12 has (L-1)^2.)",
+          .statement =
+              "A single irregular vertex whose valence 4 does not divide has at most one configuration. (Sharp: in a "
+              "regular region of side L, a v8 or v12 has (L-1)^2.)",
           .compares = "fillings found by search, positive solutions of the circulant system, glued",
           .fails_if = "the search finds a filling that no positive solution gives, or lacks one; or two where 4 does "
                       "not divide the valence; or not (L-1)^2 in a regular region where it does",

@@ -170,6 +170,12 @@ int campaign(const Options& options, Processes& processes) {
   write_violations(result, failures);
   if (options.has("certificate")) {
     const int written = write_certificates(options.text("certificate"), ranges, families, options.quiet());
+    const auto without = std::count_if(
+        cases.begin(), cases.end(), [](const RegionCase& region) { return !std::holds_alternative<PairCase>(region); });
+    if (without > 0) {
+      std::cerr << "requad-verify: certificates are about pairs; " << without
+                << " regions with one or three irregular vertices have none\n";
+    }
     if (!options.quiet() && !options.on_stdout("json"))
       std::cout << written << " certificates in " << options.text("certificate") << '\n';
   }
