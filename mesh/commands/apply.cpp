@@ -58,10 +58,10 @@ program::Command apply_command() {
       .text = R"(IN must be the mesh that the other command read. OUT is then what that command
 wrote, to the last bit. A script for another mesh is refused.
 
-IN may come from another program that rounded the coordinates, if its vertices and
-faces are in the same order. Each vertex that the script moves may then be away
-from its place by 1e-5 of the diagonal of the bounding box, and is put back there;
-the others keep the coordinates of IN.
+IN may come from another program that rounded the coordinates, if its vertices
+and faces are in the same order. Each vertex that the script moves may then be
+away from its place by 1e-5 of the diagonal of the bounding box, and is put back
+there; the others keep the coordinates of IN.
 
 The map that --map writes has these keys. Everything is counted from 1 in the
 order of the files; with --subdivide in the order that `requad-edit subdivide`

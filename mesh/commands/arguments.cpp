@@ -22,7 +22,9 @@ std::vector<program::Option> input_options() {
 
 std::vector<program::Option> seam_options() {
   return {
-      program::flag("keep-seams", "seams of texture coordinates are features (the default if IN has any)"),
+      program::flag(
+          "keep-seams",
+          "seams of texture coordinates are features (the default, unless each face has a texture for itself)"),
       program::flag("no-keep-seams", "they are not: texture coordinates of what changes near them are guessed"),
   };
 }
@@ -33,14 +35,14 @@ std::vector<program::Option> input_and_seam_options() {
   return all;
 }
 
-bool keeps_seams(const Options& options, const mesh::FeatureEdges& seams) {
+bool keeps_seams(const Options& options, const mesh::Surface& surface, const mesh::FeatureEdges& seams) {
   if (options.has("keep-seams") && options.has("no-keep-seams"))
     throw UsageError("seams are kept or not: expected one of --keep-seams and --no-keep-seams");
   for (const std::string option : {"keep-seams", "no-keep-seams"}) {
     if (options.has(option) && seams.empty())
       throw UsageError("--" + option + ": IN has no seams of texture coordinates");
   }
-  return !options.has("no-keep-seams");
+  return options.has("keep-seams") || (!options.has("no-keep-seams") && !mesh::has_texture_by_faces(surface, seams));
 }
 
 std::string not_kept_line(const mesh::Attributes& attributes) {

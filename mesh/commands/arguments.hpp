@@ -16,8 +16,9 @@ std::vector<program::Option> input_options();
 std::vector<program::Option> seam_options();
 // Those of input_options() and seam_options().
 std::vector<program::Option> input_and_seam_options();
-// What these say. Throws UsageError if both are given, or one for a mesh without seams.
-bool keeps_seams(const program::Options& options, const mesh::FeatureEdges& seams);
+// What these say; without them seams are kept, unless each face has a texture for itself. `seams`: those of the surface.
+// Throws UsageError if both are given, or one for a mesh without seams.
+bool keeps_seams(const program::Options& options, const mesh::Surface& surface, const mesh::FeatureEdges& seams);
 
 // "not kept: ..." as a line of text, or "".
 std::string not_kept_line(const mesh::Attributes& attributes);

@@ -77,7 +77,7 @@ Session::Session(const Options& options, std::string command, mesh::Surface inpu
   for (const auto& [a, b] : read_features(options, input_)) features_.insert(a, b);
   if (seams) {
     const mesh::FeatureEdges edges = mesh::texture_seams(input_);
-    if (keeps_seams(options, edges)) {
+    if (keeps_seams(options, input_, edges)) {
       for (const auto& [a, b] : edges) features_.insert(a, b);
     }
   }

@@ -44,7 +44,7 @@ int smooth(const Options& options) {
     for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
   }
   const mesh::FeatureEdges seams = mesh::texture_seams(surface);
-  if (keeps_seams(options, seams)) {
+  if (keeps_seams(options, surface, seams)) {
     for (const auto& edge : seams) {
       for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
     }

@@ -102,18 +102,20 @@ class Carrier {
   // --- texture coordinates ---
 
   void carry_uvs() {
-    for (const auto& [a, b] : texture_seams(before_)) {
+    const FeatureEdges seams = texture_seams(before_);
+    const bool by_faces = has_texture_by_faces(before_, seams);
+    for (const auto& [a, b] : seams) {
       seams_.insert(a, b);
       const bool kept = new_.is_live(a) && new_.is_live(b) && new_.adjacent(a, b);
       seams_kept_ = seams_kept_ && kept;
     }
     std::vector<int> of_vertex(static_cast<std::size_t>(new_.vertex_capacity()), -2);  // -2: not computed yet
-    for (const FaceId f : faces_) {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
       for (int k = 0; k < 4; ++k) {
-        const HalfEdgeId h = QuadMesh::half_edge(f, k);
-        const VertexId v = new_.origin(h);
-        after_.uvs.at_corner.push_back(corner_unchanged_[h.slot()] ? was_.uvs.at(h.slot())
-                                                                   : uv(h, of_vertex[v.slot()]));
+        const HalfEdgeId h = QuadMesh::half_edge(faces_[i], k);
+        int& known = of_vertex[new_.origin(h).slot()];
+        const std::size_t ancestor = static_cast<std::size_t>(4 * face_from_[i] + k);
+        after_.uvs.at_corner.push_back(corner_unchanged_[h.slot()] || by_faces ? was_.uvs.at(ancestor) : uv(h, known));
       }
     }
   }

@@ -13,7 +13,7 @@
 //   corner, vt   If it is unchanged, its own. At a vertex that did not move: that of the same sector before. Elsewhere the
 //                texture coordinates at the nearest point of the surface before, interpolated in its triangle. If the edits
 //                broke a seam, or moved a vertex on one, the nearest point is sought from within the face, so that it lies
-//                on the right side.
+//                on the right side. If each face has a texture for itself: that of its ancestor, corner by corner.
 //   corner, vn   If all faces at the vertex are unchanged, its own. Elsewhere the normal of the surface after, averaged
 //                over the faces at the vertex that are joined to this one by edges of less than 45 degrees; that of the
 //                face alone if its smoothing is off.

@@ -133,6 +133,11 @@ FeatureEdges texture_seams(const Surface& surface) {
   return edges;
 }
 
+bool has_texture_by_faces(const Surface& surface, const FeatureEdges& seams) {
+  // A closed mesh has two edges for each face.
+  return 10 * seams.size() >= 3 * 2 * static_cast<std::size_t>(surface.mesh.face_count()) && !seams.empty();
+}
+
 std::vector<VertexId> feature_corners(const QuadMesh& m, const FeatureEdges& edges) {
   std::vector<int> count(static_cast<std::size_t>(m.vertex_capacity()), 0);
   for (const auto& [a, b] : edges) {

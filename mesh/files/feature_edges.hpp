@@ -32,6 +32,9 @@ FeatureEdges parse_feature_edges(std::string_view text, const std::string& name,
 
 // The interior edges on whose two sides a vertex has different texture coordinates, or has them on one side only. O(E).
 FeatureEdges texture_seams(const Surface& surface);
+// Whether so many edges are seams, three tenths or more, that each face has a texture for itself (or each block of 2 x 2,
+// after a subdivision), rather than the surface a texture that is cut open. O(1).
+bool has_texture_by_faces(const Surface& surface, const FeatureEdges& seams);
 
 // The vertices at which features end, meet or leave the boundary, sorted: there the number of feature and boundary
 // edges is neither 0 nor 2. O(V + number of features).

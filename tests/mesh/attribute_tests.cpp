@@ -246,6 +246,30 @@ TEST_CASE("materials, groups, seams and normals survive edits (section 8)", "[at
   CHECK(check_block(free, given) > 0);
 }
 
+TEST_CASE("a texture for each face keeps no edge from being edited", "[attributes][programs]") {
+  // Each face of the block has the whole texture, as some modellers write by default.
+  std::string text = lines_with(dressed_block(), {"mtllib"}).front() + "\n";
+  const Surface s = read_surface(REQUAD_SOURCE_DIR "/mesh/examples/figure-16.obj", false);
+  std::istringstream in(obj_text(s.mesh, s.positions));
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string keyword, a, b, c, d;
+    words >> keyword >> a >> b >> c >> d;
+    text += keyword == "f" ? "f " + a + "/1 " + b + "/2 " + c + "/3 " + d + "/4\n" : line + "\n";
+  }
+  spill(scratch() / "each.obj", text + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n");
+  const Outcome outcome = call("edit", "reduce each.obj -o each-less.obj --json each.json");
+  CHECK(outcome.code == 0);
+  const Surface less = read_surface((scratch() / "each-less.obj").string(), false);
+  CHECK(irregular_vertices(less.mesh).size() < irregular_vertices(s.mesh).size());
+  CHECK(less.attributes.uvs.words.size() == 4);
+  for (std::size_t corner = 0; corner < less.attributes.uvs.at_corner.size(); ++corner)
+    CHECK(less.attributes.uvs.at(corner) == static_cast<int>(corner % 4));
+  // On request the edges are kept, and nothing can be cancelled.
+  CHECK(call("edit", "reduce each.obj --keep-seams -o each-kept.obj").code == 0);
+  CHECK(read_surface((scratch() / "each-kept.obj").string(), false).mesh == s.mesh);
+}
+
 TEST_CASE("a real mesh with groups and texture coordinates comes back", "[attributes][real]") {
   const auto path = real_mesh("mh_base");
   if (!path) return;
