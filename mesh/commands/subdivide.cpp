@@ -23,7 +23,6 @@ int subdivide(const program::Options& options) {
                   counted(vertices, "vertex", "vertices") + ", " + counted(faces, "face", "faces") + "\n" +
                       not_kept_line(surface.attributes),
                   std::move(outputs));
-  report_left_out(options, surface);
   return program::kDone;
 }
 

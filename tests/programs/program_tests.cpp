@@ -128,8 +128,10 @@ TEST_CASE("what a result lacks is said in one line", "[programs]") {
   CHECK(call("enumerate", "graph --sides 6,6 --pair 3-3 --with-apex").err.empty());
   CHECK(call("enumerate", "graph --sides 5,5 --pair 3-3").err.empty());
   spill(scratch() / "unused.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 4 5\n");
-  for (const char* command : {"subdivide unused.obj -o fine.obj", "smooth unused.obj -o smooth.obj"})
-    CHECK(call("edit", command).err == "requad-edit: unused.obj: 1 vertex in no face, left out\n");
+  CHECK(call("edit", "smooth unused.obj -o smooth.obj").err ==
+        "requad-edit: unused.obj: 1 vertex in no face, left out\n");
+  CHECK(call("edit", "subdivide unused.obj -o fine.obj").err.empty());  // all vertices keep their numbers
+  CHECK(slurp(scratch() / "fine.obj").starts_with("v 9 9 9\n"));
   CHECK(call("enumerate", "signature unused.obj").err ==
         "requad-enumerate: unused.obj: vertices in no face, left out: 1\n");
   CHECK(call("verify", "--claim T1 --other-perimeter 4..5 --certificate none --quiet")
