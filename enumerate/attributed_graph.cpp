@@ -40,7 +40,39 @@ boost::dynamic_properties attributes(AttributedGraph& graph, const BoostGraph& s
   return properties;
 }
 
+void add_attributes(nlohmann::ordered_json& json, const std::map<std::string, AttributedGraph::Column>& columns,
+                    std::size_t i) {
+  for (const auto& [name, column] : columns) {
+    std::visit([&, &name = name](const auto& values) { json[name] = values[i]; }, column);
+  }
+}
+
 }  // namespace
+
+nlohmann::ordered_json to_node_link(const AttributedGraph& graph) {
+  using nlohmann::ordered_json;
+  ordered_json json{{"directed", false},
+                    {"multigraph", true},
+                    {"graph", ordered_json::object()},
+                    {"nodes", ordered_json::array()},
+                    {"links", ordered_json::array()}};
+  for (std::size_t i = 0; i < graph.names.size(); ++i) {
+    ordered_json node{{"id", graph.names[i]}};
+    add_attributes(node, graph.at_nodes, i);
+    json["nodes"].push_back(std::move(node));
+  }
+  std::map<std::array<int, 2>, int> met;
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    const auto [from, to] = graph.edges[i];
+    ordered_json link{{"source", graph.names[static_cast<std::size_t>(from)]},
+                      {"target", graph.names[static_cast<std::size_t>(to)]},
+                      {"key", met[graph.edges[i]]++}};
+    add_attributes(link, graph.at_edges, i);
+    json["links"].push_back(std::move(link));
+  }
+  json["edges"] = json["links"];
+  return json;
+}
 
 std::string to_dot(AttributedGraph graph) {
   const BoostGraph structure = boost_graph(graph);

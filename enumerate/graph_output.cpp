@@ -1,6 +1,9 @@
 #include "enumerate/graph_output.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -10,6 +13,8 @@
 #include <boost/graph/connected_components.hpp>
 
 #include "enumerate/attributed_graph.hpp"
+#include "enumerate/configuration_rows.hpp"
+#include "enumerate/grid_position.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {
@@ -73,6 +78,7 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   AttributedGraph result;
   std::vector<std::string> labels, signatures, steps, scripts;
   std::vector<long> d1, d2, p, faces;
+  std::vector<double> x, y;
   for (const int index : node_of) {
     const FoundNode& node = found.nodes[static_cast<std::size_t>(index)];
     const theory::Configuration& c = node.reading.configuration;
@@ -83,8 +89,12 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
     d2.push_back(c.d2());
     p.push_back(third_index(found.shape.type(), c));
     faces.push_back(node.region.mesh.face_count());
+    const GridPosition at = grid_position(found.shape.type(), c);
+    x.push_back(at[0]);
+    y.push_back(at[1]);
   }
-  result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures}};
+  result.at_nodes = {{"d1", d1}, {"d2", d2}, {"faces", faces}, {"label", labels}, {"p", p}, {"signature", signatures},
+                     {"x", x},   {"y", y}};
   for (const Edge& edge : edges_with_scripts(found, graph, node_of)) {
     result.edges.push_back({edge.i, edge.j});
     steps.push_back(mesh::name(edge.step));
@@ -92,6 +102,14 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   }
   result.at_edges = {{"step", steps}, {"script", scripts}};
   return result;
+}
+
+// With three digits after the point, wherever that is; "-0.000" does not occur.
+std::string decimals(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                                       std::round(value * 1000) / 1000 + 0.0, std::chars_format::fixed, 3)
+                             .ptr};
 }
 
 }  // namespace
@@ -131,10 +149,36 @@ nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
   return json;
 }
 
-std::string graph_dot(const Exploration& found, theory::Apex apex) { return to_dot(attributed_graph(found, apex)); }
+std::string graph_dot(const Exploration& found, theory::Apex apex) {
+  constexpr double kPointsPerUnit = 62;
+  AttributedGraph graph = attributed_graph(found, apex);
+  const auto take = [&graph](const char* name) {
+    return std::get<std::vector<double>>(graph.at_nodes.extract(name).mapped());
+  };
+  const std::vector<double> x = take("x"), y = take("y");
+  std::vector<std::string> positions;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    positions.push_back(decimals(kPointsPerUnit * x[i]) + "," + decimals(kPointsPerUnit * y[i]) + "!");
+  graph.at_nodes["pos"] = positions;
+  return to_dot(std::move(graph));
+}
 
 std::string graph_graphml(const Exploration& found, theory::Apex apex) {
   return to_graphml(attributed_graph(found, apex));
+}
+
+nlohmann::ordered_json graph_node_link(const Exploration& found, theory::Apex apex) {
+  return to_node_link(attributed_graph(found, apex));
+}
+
+std::string graph_csv(const Exploration& found, theory::Apex apex) {
+  ConfigurationRows rows(found.shape.type());
+  for (std::size_t i = 0; i < found.nodes.size(); ++i) {
+    if (apex == theory::Apex::without && !found.holds_pair(static_cast<int>(i))) continue;
+    const FoundNode& node = found.nodes[i];
+    rows.add(node.reading.configuration, node.region.mesh.face_count(), node.signature);
+  }
+  return rows.csv();
 }
 
 }  // namespace requad::enumerate

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 #include <graphviz/cgraph.h>
 
@@ -29,8 +30,11 @@ std::string decimals(double x) {
 
 // The values of an attribute, which a function gives for each node or edge.
 template <class Element, class Value>
-std::vector<std::string> column(const std::vector<Element>& elements, const Value& value) {
-  std::vector<std::string> values;
+auto column(const std::vector<Element>& elements, const Value& value) {
+  using Result = std::decay_t<decltype(value(elements[0]))>;
+  using Kind = std::conditional_t<std::is_floating_point_v<Result>, double,
+                                  std::conditional_t<std::is_integral_v<Result>, long, std::string>>;
+  std::vector<Kind> values;
   for (const Element& element : elements) values.emplace_back(value(element));
   return values;
 }
@@ -54,12 +58,12 @@ AttributedGraph attributed_graph(const GridFigure& figure) {
   graph.names = at_nodes([](const GridNode& n) { return n.name; });
   graph.at_nodes = {
       {"label", at_nodes([](const GridNode& n) { return n.label; })},
-      {"d1", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.d1()); })},
-      {"d2", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.d2()); })},
-      {"p", at_nodes([](const GridNode& n) { return std::to_string(n.configuration.p); })},
-      {"m", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).m); })},
-      {"n", at_nodes([&](const GridNode& n) { return std::to_string(grid_point(n).n); })},
-      {"faces", at_nodes([](const GridNode& n) { return std::to_string(n.faces()); })},
+      {"d1", at_nodes([](const GridNode& n) { return n.configuration.d1(); })},
+      {"d2", at_nodes([](const GridNode& n) { return n.configuration.d2(); })},
+      {"p", at_nodes([](const GridNode& n) { return n.configuration.p; })},
+      {"m", at_nodes([&](const GridNode& n) { return grid_point(n).m; })},
+      {"n", at_nodes([&](const GridNode& n) { return grid_point(n).n; })},
+      {"faces", at_nodes([](const GridNode& n) { return n.faces(); })},
       {"sides", at_nodes([&](const GridNode& n) { return theory::joined(grid(n).shape.sides(), ","); })},
       {"signature", at_nodes([](const GridNode& n) { return n.signature; })},
       {"same_as", at_nodes(original)},
@@ -68,11 +72,11 @@ AttributedGraph attributed_graph(const GridFigure& figure) {
   graph.at_edges = {
       {"step", at_edges([](const GridEdge& e) { return e.step; })},
       {"direction", at_edges([](const GridEdge& e) { return e.direction; })},
-      {"operations", at_edges([](const GridEdge& e) { return std::to_string(e.operations()); })},
-      {"splits", at_edges([](const GridEdge& e) { return std::to_string(e.splits); })},
-      {"collapses", at_edges([](const GridEdge& e) { return std::to_string(e.collapses); })},
-      {"flips", at_edges([](const GridEdge& e) { return std::to_string(e.flips); })},
-      {"faces", at_edges([](const GridEdge& e) { return std::to_string(e.faces()); })},
+      {"operations", at_edges([](const GridEdge& e) { return e.operations(); })},
+      {"splits", at_edges([](const GridEdge& e) { return e.splits; })},
+      {"collapses", at_edges([](const GridEdge& e) { return e.collapses; })},
+      {"flips", at_edges([](const GridEdge& e) { return e.flips; })},
+      {"faces", at_edges([](const GridEdge& e) { return e.faces(); })},
   };
   return graph;
 }
@@ -142,11 +146,33 @@ std::string to_dot(const GridFigure& figure) {
                         {"pad", "0.2"}});
 }
 
+GridFigure grid_alone(const GridFigure& figure, std::size_t grid) {
+  GridFigure alone{figure.title, {figure.grids[grid]}, {}, {}};
+  std::vector<int> index(figure.nodes.size(), -1);
+  for (std::size_t i = 0; i < figure.nodes.size(); ++i) {
+    if (figure.nodes[i].grid != static_cast<int>(grid)) continue;
+    index[i] = static_cast<int>(alone.nodes.size());
+    alone.nodes.push_back(figure.nodes[i]);
+    alone.nodes.back().grid = 0;
+  }
+  const auto now = [&index](int node) { return index[static_cast<std::size_t>(node)]; };
+  for (GridNode& node : alone.nodes) {
+    if (node.same_as >= 0) node.same_as = now(node.same_as);
+  }
+  for (GridEdge edge : figure.edges) {
+    if (now(edge.from) < 0) continue;
+    edge.from = now(edge.from);
+    edge.to = now(edge.to);
+    alone.edges.push_back(edge);
+  }
+  return alone;
+}
+
 std::string to_graphml(const GridFigure& figure) {
   AttributedGraph graph = attributed_graph(figure);
   graph.at_nodes["name"] = graph.names;
-  graph.at_nodes["x"] = column(figure.nodes, [](const GridNode& n) { return decimals(n.at[0]); });
-  graph.at_nodes["y"] = column(figure.nodes, [](const GridNode& n) { return decimals(n.at[1]); });
+  graph.at_nodes["x"] = column(figure.nodes, [](const GridNode& n) { return n.at[0]; });
+  graph.at_nodes["y"] = column(figure.nodes, [](const GridNode& n) { return n.at[1]; });
   return enumerate::to_graphml(std::move(graph));
 }
 

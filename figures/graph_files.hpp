@@ -16,7 +16,10 @@ namespace requad::figures {
 
 // The figure as DOT, written by libcgraph. Positions are in points, so `neato -n2` draws the grid without changing it.
 std::string to_dot(const GridFigure& figure);
-// The figure as GraphML, with the names of the nodes. The attributes x and y are in grid units.
+// The figure as GraphML, with the names of the nodes. Attributes have their types; x and y are in grid units.
 std::string to_graphml(const GridFigure& figure);
+
+// One of the figure's grids by itself: a file of GraphML should have one configuration graph. No edge joins two grids.
+GridFigure grid_alone(const GridFigure& figure, std::size_t grid);
 
 }  // namespace requad::figures

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "enumerate/grid_position.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {
@@ -107,25 +108,13 @@ void add_regular(GridFigure& figure, PairType type, int length, const PositionOf
            "L" + std::to_string(length) + "_", position);
 }
 
-// Axes a fixed angle apart, numbered clockwise. Quadrant p lies between the axes p and p - 1, so (x,0,p) and (0,x,p+1)
-// lie on the same axis.
-Position on_axes(const Configuration& c, double first, double apart, double x, double y) {
-  const double u = first - apart * (c.p - 1), v = u + apart;
-  const auto m = static_cast<double>(c.d1()), n = static_cast<double>(c.d2());
-  return {x + m * std::cos(u) + n * std::cos(v), y + m * std::sin(u) + n * std::sin(v)};
-}
-Position on_half_cube(const Configuration& c, double shift) {
-  return on_axes(c, std::numbers::pi / 2, std::numbers::pi * 2 / 3, shift, 0);
-}
-
 }  // namespace
 
 GridFigure figure_10(int length) {
   GridFigure figure{"Configurations of a 3-3 pair in regular digons of side " + sides_text(length), {}, {}, {}};
   for (const int l : two_lengths(length)) {
-    add_regular(figure, theory::kDigon, l, [](const Configuration& c) -> Position {
-      return {static_cast<double>(c.d1() - c.d2()), static_cast<double>(c.d1() + c.d2())};
-    });
+    add_regular(figure, theory::kDigon, l,
+                [](const Configuration& c) { return enumerate::grid_position(theory::kDigon, c); });
   }
   return figure;
 }
@@ -134,7 +123,10 @@ GridFigure figure_11(int length) {
   GridFigure figure{"Configurations of a 5-5 pair in regular hexagons of side " + sides_text(length), {}, {}, {}};
   for (const int l : two_lengths(length)) {
     const double shift = l == length ? 0.0 : 0.87 * (2 * length - 5) + 1.2;  // beside the first
-    add_regular(figure, theory::kHexagon, l, [=](const Configuration& c) { return on_half_cube(c, shift); });
+    add_regular(figure, theory::kHexagon, l, [=](const Configuration& c) -> Position {
+      const Position at = enumerate::grid_position(theory::kHexagon, c);
+      return {at[0] + shift, at[1]};
+    });
   }
   return figure;
 }
@@ -152,10 +144,7 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   GridFigure figure{
       "Configurations of a 3-5 pair in a region with sides " + theory::joined(shape.sides(), " "), {}, {}, {}};
   add_grid(figure, enumerate::explore_all(shape, theory::Apex::without), "n",
-           [type](const Configuration& c) -> Position {
-             const theory::GridPoint at = grid_point_of(type, c);
-             return {static_cast<double>(at.m), static_cast<double>(at.n)};
-           });
+           [type](const Configuration& c) { return enumerate::grid_position(type, theory::canonical(type, c)); });
   return figure;
 }
 
@@ -166,7 +155,7 @@ GridFigure hexagon_figure(const std::vector<theory::Integer>& sides) {
     throw std::invalid_argument("a hexagon with these sides holds no 5-5 pair");
   }
   add_grid(figure, enumerate::explore_all(shape, theory::Apex::with), "n",
-           [](const Configuration& c) { return on_half_cube(c, 0); });
+           [](const Configuration& c) { return enumerate::grid_position(theory::kHexagon, c); });
   return figure;
 }
 
@@ -174,8 +163,9 @@ GridFigure unfolded_figure(int length) {
   two_lengths(length);
   GridFigure figure{
       "The half cube of the regular hexagon of side " + std::to_string(length) + ", laid flat", {}, {}, {}};
-  add_regular(figure, theory::kHexagon, length,
-              [](const Configuration& c) { return on_axes(c, std::numbers::pi / 2, std::numbers::pi / 2, 0, 0); });
+  add_regular(figure, theory::kHexagon, length, [](const Configuration& c) {
+    return enumerate::position_on_axes(c, std::numbers::pi / 2, std::numbers::pi / 2);
+  });
   return figure;
 }
 

@@ -49,6 +49,8 @@ Integer hexagon_count(const RegionShape& shape) {
 
 }  // namespace
 
+bool has_exact_count(PairType type) { return type == kDigon || type == kHexagon || type == kQuad; }
+
 Integer exact_count(const RegionShape& shape) {
   const PairType type = shape.type();
   if (type == kDigon) return tau_digon(shape.shortest());

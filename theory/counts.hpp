@@ -36,6 +36,7 @@ QuadCount quad_count(const RegionShape& shape);
 //             labellings; the degenerate ones are halved, since theory-3 counts them twice
 //   3-5       K = M N
 // Throws std::invalid_argument on another pair type. O(L^2) for a hexagon, else O(1).
+bool has_exact_count(PairType type);
 Integer exact_count(const RegionShape& shape);
 
 // The side length of the smallest regular digon or hexagon around the region: the least L >= all E_i such that strips

@@ -1,19 +1,28 @@
 #include "theory/pair_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <charconv>
 #include <limits>
 #include <numeric>
+#include <system_error>
 
 namespace requad::theory {
 
 std::string PairType::name() const { return std::to_string(l2) + "-" + std::to_string(l1); }
 
 std::optional<PairType> pair_type(std::string_view name) {
-  for (const PairType type : {kDigon, kHexagon, kQuad}) {
-    if (name == type.name()) return type;
+  const std::size_t dash = std::min(name.find('-'), name.size());
+  std::array<int, 2> valences{};
+  const std::array texts{name.substr(0, dash), name.substr(std::min(dash + 1, name.size()))};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char* const last = texts[i].data() + texts[i].size();
+    const auto [end, error] = std::from_chars(texts[i].data(), last, valences[i]);
+    if (error != std::errc() || end != last || valences[i] < 3 || valences[i] > 100 || valences[i] == 4)
+      return std::nullopt;
   }
-  return name == "5-3" ? std::optional(kQuad) : std::nullopt;
+  return PairType{std::max(valences[0], valences[1]), std::min(valences[0], valences[1])};
 }
 
 IntegerVector rotated(const IntegerVector& v, Eigen::Index by) {

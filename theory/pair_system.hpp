@@ -73,7 +73,8 @@ struct PairType {
 inline constexpr PairType kDigon{3, 3};
 inline constexpr PairType kHexagon{5, 5};
 inline constexpr PairType kQuad{5, 3};
-// The pair type with this name; "5-3" is accepted for "3-5". Returns nothing if there is none.
+// The pair type with this name: two valences with "-" between them, in any order, each in 3..100 and none of them 4.
+// Returns nothing for any other text.
 std::optional<PairType> pair_type(std::string_view name);
 
 // (d1, d2, e_1..e_k): the separatrix-strip parameters.

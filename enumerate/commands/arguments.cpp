@@ -19,27 +19,41 @@ using theory::PairType;
 std::vector<program::Option> pair_region_options() {
   return {
       program::value("sides", "S1,S2,...", "the lengths of the region's sides, counter-clockwise"),
-      program::value("pair", "3-3|5-5|3-5", "the valences of the pair"),
+      program::value("pair", "L1-L2", "the valences of the pair: 3-3, 5-5 or 3-5"),
   };
 }
 
 PairType required_pair(const Options& options) {
-  const std::string text = options.required("pair", "3-3, 5-5 or 3-5");
+  const std::string text = options.required("pair", "two valences, as in --pair 3-5");
   const auto type = theory::pair_type(text);
-  if (!type) throw UsageError("--pair: '" + text + "' is not one of 3-3, 5-5, 3-5");
+  if (!type)
+    throw UsageError("--pair: '" + text + "' is no pair; expected 3-3, 5-5, 3-5, or two others of 3, 5, 6, ...");
   return *type;
 }
 
+void require_moves(PairType type) {
+  for (const PairType known : {theory::kDigon, theory::kHexagon, theory::kQuad}) {
+    if (type == known) return;
+  }
+  throw UsageError(
+      "--pair: the moves of section 6 are those of 3-3, 5-5 and 3-5 pairs; `requad-enumerate "
+      "configurations` lists the configurations of a " +
+      type.name() + " pair");
+}
+
+void report_impossible(const std::string& why) {
+  std::cerr << "requad-enumerate: there is no filling: " << why << '\n';
+}
+
 bool reports_odd_boundary(const Options& options) {
-  if (!options.has("sides")) return false;
   std::int64_t sum = 0;
   for (const std::int64_t side : program::parse_integers(options.text("sides"), "--sides")) {
     if (side < 1 || side > 1'000'000) return false;  // refused elsewhere
     sum += side;
   }
   if (sum % 2 == 0) return false;
-  std::cerr << "requad-enumerate: there is no filling: the sides have the odd sum " << sum
-            << ", and the boundary of a quadrangulated disk is even\n";
+  report_impossible("the sides have the odd sum " + std::to_string(sum) +
+                    ", and the boundary of a quadrangulated disk is even");
   return true;
 }
 
@@ -54,8 +68,9 @@ theory::RegionShape required_shape(const Options& options) {
   constexpr double kMostQuads = 2e8;
   const auto longest = static_cast<double>(shape.longest());
   const double area = longest * longest / 2;
-  const double configurations =
-      longest > 20'000 ? longest * longest / 4 : static_cast<double>(theory::exact_count(shape));
+  const double configurations = longest > 20'000 || !theory::has_exact_count(type)
+                                    ? longest * longest / 4
+                                    : static_cast<double>(theory::exact_count(shape));
   if (area * std::max(configurations, 1.0) > kMostQuads) {
     throw UsageError("--sides: about " + std::to_string(static_cast<std::int64_t>(configurations)) +
                      " configurations of some " + std::to_string(static_cast<std::int64_t>(area)) +
@@ -64,14 +79,18 @@ theory::RegionShape required_shape(const Options& options) {
   return shape;
 }
 
+program::Option mesh_output() {
+  return program::output("output,o", "FILE", "the OBJ file to write, or -", {{"obj", {"obj"}}});
+}
+
 std::vector<program::Option> search_options() {
   return {
       program::value("irregular", "L1,L2,...", "the valences of the irregular vertices; '' for none"),
       program::flag("list", "print a signature of each mesh that is found"),
       program::value("limit-seconds", "S", "stop after S seconds; the exit code is then 3"),
-      program::value("journal", "FILE",
-                     "keep in FILE what is found and what is left to do; a run that was killed, or ran out of time, "
-                     "goes on when the same command is given again"),
+      program::journal(
+          "keep in FILE what is found and what is left to do; a run that was killed, or ran out of time, goes on when "
+          "the same command is given again"),
   };
 }
 
@@ -82,7 +101,9 @@ std::vector<int> irregular_valences(const Options& options) {
 
 SearchLimits search_limits(const Options& options, program::Progress& progress) {
   SearchLimits limits;
-  limits.progress = [&progress](std::int64_t states) { progress.advance(states); };
+  limits.progress = [&progress](std::int64_t states, double share, bool before) {
+    before ? progress.was_done(states, share) : progress.advance(states, share);
+  };
   limits.threads = options.threads();
   if (options.has("limit-seconds"))
     limits.seconds = static_cast<double>(options.integer("limit-seconds", 0, 1, 10'000'000));

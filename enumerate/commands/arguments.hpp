@@ -17,8 +17,9 @@ namespace requad::enumerate {
 
 // --- regions with a pair ---------------------------------------------------------------------------------------------
 
-// Whether the sides of --sides have an odd sum, so that no mesh has this boundary. Says so on standard error, whatever
-// --quiet says: an empty result needs its reason.
+// Says on standard error why there is no filling, whatever --quiet says: an empty result needs its reason.
+void report_impossible(const std::string& why);
+// Whether the sides of --sides have an odd sum, so that no mesh has this boundary. Reports that.
 bool reports_odd_boundary(const program::Options& options);
 
 // The options --sides and --pair.
@@ -26,7 +27,12 @@ std::vector<program::Option> pair_region_options();
 // Their values: the pair alone, or the shape of the region. Throw UsageError if a value is missing or wrong, or if an
 // exploration of the region would need more memory than is reasonable.
 theory::PairType required_pair(const program::Options& options);
+// Throws UsageError if the pair is none of the three that have moves.
+void require_moves(theory::PairType type);
 theory::RegionShape required_shape(const program::Options& options);
+
+// The option -o, which names an OBJ file for the region that finish() writes.
+program::Option mesh_output();
 
 // --- searches --------------------------------------------------------------------------------------------------------
 

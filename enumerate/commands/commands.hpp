@@ -6,10 +6,12 @@
 namespace requad::enumerate {
 
 program::Command region_command();
+program::Command configurations_command();
 program::Command graph_command();
 program::Command path_command();
 program::Command search_command();
 program::Command sphere_command();
 program::Command signature_command();
+program::Command tau_command();
 
 }  // namespace requad::enumerate

@@ -7,22 +7,34 @@
 #include "enumerate/attributed_graph.hpp"
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"
+#include "enumerate/configuration_rows.hpp"
 #include "enumerate/graph_output.hpp"
 
 namespace requad::enumerate {
 
 namespace {
 
+const std::vector<program::Format>& formats() {
+  static const std::vector<program::Format> all{{"json", {"json"}},
+                                                {"node_link", {"json"}},
+                                                {"dot", {"dot", "gv"}},
+                                                {"graphml", {"graphml", "xml"}},
+                                                {"csv", {"csv"}}};
+  return all;
+}
+
 std::string graph_text(const Exploration& found, theory::Apex apex, const std::string& format) {
   if (format == "dot") return graph_dot(found, apex);
   if (format == "graphml") return graph_graphml(found, apex);
-  return graph_json(found, apex).dump() + "\n";
+  if (format == "csv") return graph_csv(found, apex);
+  return (format == "node_link" ? graph_node_link(found, apex) : graph_json(found, apex)).dump() + "\n";
 }
 
-std::string empty_graph_text(const std::string& format) {
+std::string empty_graph_text(theory::PairType type, const std::string& format) {
   if (format == "dot") return to_dot(AttributedGraph{});
   if (format == "graphml") return to_graphml(AttributedGraph{});
-  return empty_graph_json().dump() + "\n";
+  if (format == "csv") return ConfigurationRows(type).csv();
+  return (format == "node_link" ? to_node_link(AttributedGraph{}) : empty_graph_json()).dump() + "\n";
 }
 
 // Says on standard error, in one line, which part of the graph is not written.
@@ -36,11 +48,16 @@ void report_merged_left_out(const Exploration& found) {
             << " to it; --with-apex adds them\n";
 }
 
+// Where the graph alone goes: to -o, or to standard output unless the JSON of --json goes there.
+bool is_written(const program::Options& options) { return options.has("output") || !options.on_stdout("json"); }
+
 int graph(const program::Options& options) {
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
-  const std::string format = options.choice("format", {"json", "dot", "graphml"}, "json");
-  required_pair(options);
-  std::function<std::string(const std::string&)> text = empty_graph_text;
+  const theory::PairType type = required_pair(options);
+  require_moves(type);
+  std::function<std::string(const std::string&)> text = [type](const std::string& wanted) {
+    return empty_graph_text(type, wanted);
+  };
   if (!reports_odd_boundary(options)) {
     Exploration found = explore_all(required_shape(options), apex);
     if (apex == theory::Apex::without) report_merged_left_out(found);
@@ -48,7 +65,7 @@ int graph(const program::Options& options) {
   }
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), text("json"));
-  if (options.has("output") || !options.on_stdout("json")) outputs.add(options.text("output", "-"), text(format));
+  if (is_written(options)) outputs.add(options.text("output", "-"), text(options.format().name));
   outputs.commit();
   return program::kDone;
 }
@@ -58,8 +75,18 @@ int graph(const program::Options& options) {
 program::Command graph_command() {
   std::vector<program::Option> options = pair_region_options();
   options.push_back(program::flag("with-apex", "add the configuration in which the pair is merged"));
-  options.push_back(program::value("format", "json|dot|graphml", "the format of the graph (default json)"));
-  options.push_back(program::output("output,o", "FILE", "where the graph goes (default -)"));
+  options.push_back(program::only_if(
+      program::value("format", "NAME",
+                     "the format of the graph (default: what the end of FILE says, else json)\n"
+                     "  json       ours, with scripts\n"
+                     "  node_link  JSON for networkx.node_link_graph()\n"
+                     "  dot        with positions, for `neato -n2`\n"
+                     "  graphml    with typed attributes\n"
+                     "  csv        the configurations alone, as a table"),
+      [](const program::Options& given) {
+        return is_written(given) ? "" : std::string("--format has no effect beside --json -, without -o");
+      }));
+  options.push_back(program::output("output,o", "FILE", "where the graph goes (default -)", formats()));
   return {
       .name = "graph",
       .usage = {"--sides S1,S2,... --pair 3-3|5-5|3-5"},
@@ -68,7 +95,8 @@ program::Command graph_command() {
 move on the mesh that `requad-enumerate signature --from-signature` makes of the
 first node's signature.
 )",
-      .examples = {"requad-enumerate graph --sides 9,9 --pair 3-3 --format dot -o grid.dot"},
+      .examples = {"requad-enumerate graph --sides 9,9 --pair 3-3 -o grid.dot",
+                   "requad-enumerate graph --sides 5,4,4,7 --pair 3-5 --format csv"},
       .options = std::move(options),
       .run = graph,
   };

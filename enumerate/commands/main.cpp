@@ -15,11 +15,13 @@ int main(int argc, char** argv) {
           .commands =
               {
                   region_command(),
+                  configurations_command(),
                   graph_command(),
                   path_command(),
                   search_command(),
                   sphere_command(),
                   signature_command(),
+                  tau_command(),
               },
       });
 }

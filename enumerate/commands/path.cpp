@@ -47,7 +47,7 @@ Configuration required_configuration(const Options& options, const std::string& 
 }
 
 int path(const Options& options) {
-  required_pair(options);
+  require_moves(required_pair(options));
   if (reports_odd_boundary(options)) {
     const auto list = ordered_json::array();
     const IntegerVector sides = theory::to_vector(program::parse_integers(options.text("sides"), "--sides"));
@@ -88,7 +88,7 @@ program::Command path_command() {
   std::vector<program::Option> options = pair_region_options();
   options.push_back(program::value("from", "LABEL", "the label of the first configuration"));
   options.push_back(program::value("to", "LABEL", "the label of the last one"));
-  options.push_back(program::output("output,o", "FILE", "the OBJ file to write, or -"));
+  options.push_back(mesh_output());
   return {
       .name = "path",
       .usage = {"--sides S1,S2,... --pair 3-3|5-5|3-5 --from LABEL --to LABEL"},

@@ -21,13 +21,15 @@ PairType parse_shape(const std::string& text) {
   if (text == "digon") return theory::kDigon;
   if (text == "hexagon") return theory::kHexagon;
   if (text == "quad") return theory::kQuad;
-  throw UsageError("region: '" + text + "' is not one of digon, hexagon, quad");
+  if (const auto type = theory::pair_type(text)) return *type;
+  throw UsageError("region: '" + text + "' is not one of digon, hexagon, quad, nor two valences as in 3-6");
 }
 
 mesh::Region make_region(PairType type, const IntegerVector& sides, const Configuration& c,
                          const std::string& generator) {
   if (generator == "glue") return glue_region(type, c);
   if (generator == "grow") return grow_region(type, c);
+  require_moves(type);
   const theory::RegionShape shape(type, sides);
   return realise(shape, simplest_configuration(shape), c).region;
 }
@@ -62,17 +64,18 @@ int region(const Options& options) {
 program::Command region_command() {
   return {
       .name = "region",
-      .usage = {"digon|hexagon|quad D1 D2 E1,E2,..."},
+      .usage = {"digon|hexagon|quad|L1-L2 D1 D2 E1,E2,..."},
       .summary = "makes the region that has these separatrix-strip parameters",
       .text = R"(R_alpha is a D1 x D2 grid. E1,E2,... are the strip counts: 2 for a digon with a
 3-3 pair, 6 for a hexagon with a 5-5 pair, 4 for a quadrilateral with a 3-5
-pair.
+pair; L1 + L2 - 4 for any two valences L1, L2.
 )",
       .examples = {"requad-enumerate region digon 2 1 3,2 -o region.obj",
-                   "requad-enumerate region hexagon 1 2 1,1,2,1,1,1 --generator grow"},
+                   "requad-enumerate region hexagon 1 2 1,1,2,1,1,1 --generator grow",
+                   "requad-enumerate region 3-6 1 1 2,1,2,1,1"},
       .options =
           {
-              program::output("output,o", "FILE", "the OBJ file to write, or -"),
+              mesh_output(),
               program::value("generator", "glue|grow|moves",
                              "how the region is made; all three ways give the same mesh (default glue)"),
           },

@@ -64,8 +64,8 @@ std::string text_of(const CountedSearch& found) {
 }
 
 int run_search(const Options& options) {
-  if (options.has("sides") == options.has("interior-quads"))
-    throw UsageError("search: expected either --sides or --interior-quads");
+  if (!options.has("sides") && !options.has("interior-quads"))
+    throw UsageError("search: expected --sides or --interior-quads");
   SearchProblem problem{{}, irregular_valences(options)};
   std::vector<int> sides;
   if (options.has("sides")) {
@@ -77,16 +77,19 @@ int run_search(const Options& options) {
   if (const std::string what = problem_with(problem); !what.empty()) throw UsageError("search: " + what);
   program::Progress progress("states", 0, options.quiet());
   const SearchLimits limits = search_limits(options, progress);
-  if (may_be_infinite(problem) && !limits.faces && !limits.seconds) {
+  const std::string why = impossibility(problem);
+  if (!why.empty()) report_impossible(why);
+  if (why.empty() && may_be_infinite(problem) && !limits.faces && !limits.seconds) {
     throw UsageError(
         "search: these valences can close a tube of any length, so there may be infinitely many fillings; expected "
         "--max-faces or --limit-seconds");
   }
-  reports_odd_boundary(options);
   const CountedSearch found = count_fillings(problem, limits, options.has("list"),
                                              search_journal(options, run_text(options, sides, problem, limits)));
   progress.finish();
-  finish(options, summary_of(options, sides, problem, found), text_of(found));
+  ordered_json summary = summary_of(options, sides, problem, found);
+  if (!why.empty()) summary["why"] = why;
+  finish(options, summary, text_of(found));
   return found.outcome.complete() ? program::kDone : program::kUndecided;
 }
 
@@ -95,7 +98,9 @@ int run_search(const Options& options) {
 program::Command search_command() {
   std::vector<program::Option> options{
       program::value("sides", "S1,S2,...", "the lengths of the boundary's sides, counter-clockwise"),
-      program::value("interior-quads", "Q1,Q2,...", "instead of --sides: the number of quads at each boundary vertex"),
+      program::not_with(program::value("interior-quads", "Q1,Q2,...",
+                                       "instead of --sides: the number of quads at each boundary vertex"),
+                        {"sides"}),
       program::value("max-faces", "F", "leave out fillings of more than F faces"),
   };
   for (program::Option& option : search_options()) options.push_back(std::move(option));

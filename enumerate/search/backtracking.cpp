@@ -1,5 +1,6 @@
 #include "enumerate/search/backtracking.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,6 +19,17 @@ BacktrackingSearch::BacktrackingSearch(PartialMesh start, SearchControl& control
   list_children();
 }
 
+void BacktrackingSearch::set_share(double share) {
+  levels_.front().share *= share / share_;
+  share_ = share;
+}
+
+double BacktrackingSearch::remaining_share() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < levels_.size(); ++i) sum += untried(i) * levels_[i].share;
+  return sum;
+}
+
 // --- the search tree -------------------------------------------------------------------------------------------------
 
 int BacktrackingSearch::untried(std::size_t level) const {
@@ -26,8 +38,11 @@ int BacktrackingSearch::untried(std::size_t level) const {
 }
 
 void BacktrackingSearch::list_children() {
-  levels_.back().first = static_cast<int>(placements_.size());
-  if (mesh_.has_hole()) levels_.back().v = list_placements(mesh_, *control_, placements_);
+  const std::size_t last = levels_.size() - 1;
+  Level& level = levels_[last];
+  level.first = static_cast<int>(placements_.size());
+  if (mesh_.has_hole()) level.v = list_placements(mesh_, *control_, placements_);
+  level.share = (last > 0 ? levels_[last - 1].share : share_) / std::max(untried(last), 1);
 }
 
 // Goes to a child of the last level, and leaves only the first `untried` of the others to be tried there.
@@ -48,17 +63,21 @@ void BacktrackingSearch::ascend() {
 
 bool BacktrackingSearch::run(const Visit& visit, const WorkSharing& sharing) {
   states_ = 0;
+  finished_ = 0;
   for (;;) {
     if (const int count = untried(levels_.size() - 1); count > 0) {
       descend(count - 1, count - 1);
       if (!mesh_.has_hole() && mesh_.budget().empty() && visit) visit(mesh_.filling());
+      if (untried(levels_.size() - 1) == 0) finished_ += levels_.back().share;  // a leaf
       if (++states_ % kStatesBetweenLooks == 0) {
-        if (control_->should_stop(kStatesBetweenLooks)) return false;
+        if (control_->should_stop(kStatesBetweenLooks, std::exchange(finished_, 0))) return false;
         if (sharing.wanted.load(std::memory_order_relaxed)) donate_work(sharing);
       }
     } else if (levels_.size() > 1) {
       ascend();
     } else {
+      control_->should_stop(states_ % kStatesBetweenLooks,
+                            finished_);  // the rest is reported; there is nothing to stop
       return true;
     }
   }

@@ -48,6 +48,12 @@ class BacktrackingSearch {
   // The number of quads that the last run() placed.
   std::int64_t states() const { return states_; }
 
+  // An estimate of the work, to show progress: all children of a partial mesh count as equal shares of it. The whole
+  // tree is the share 1 unless this says otherwise. Precondition: the search stands where it started.
+  void set_share(double share);
+  // The share of what is still to be searched.
+  double remaining_share() const;
+
   GuidingPath guiding_path() const;
   // Moves to where a search with the same start had this path. Places and removes as many quads as both paths have
   // levels. Throws std::invalid_argument if the numbers are not a path of this search; its position is then undefined.
@@ -56,9 +62,10 @@ class BacktrackingSearch {
  private:
   // A partial mesh on the path from the root to where the search stands.
   struct Level {
-    int first;   // its untried placements are those from here on, up to the next level's
-    int v;       // all its placements are on the edge from this node
-    int chosen;  // the number of the placement that leads to the next level
+    int first;     // its untried placements are those from here on, up to the next level's
+    int v;         // all its placements are on the edge from this node
+    int chosen;    // the number of the placement that leads to the next level
+    double share;  // of all the work, in each of its children; of itself if it has none
   };
 
   int untried(std::size_t level) const;
@@ -71,7 +78,9 @@ class BacktrackingSearch {
   SearchControl* control_;
   std::vector<Placement> placements_;  // untried, level by level
   std::vector<Level> levels_;          // never empty
+  double share_ = 1;                   // of the whole tree
   std::int64_t states_ = 0;
+  double finished_ = 0;  // the share of the leaves met since the last report
 };
 
 }  // namespace requad::enumerate

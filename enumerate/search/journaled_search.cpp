@@ -61,7 +61,7 @@ std::int64_t run_with_journal(SharedSearch& search, SearchControl& control, int 
       file.refuse(std::string("what is left in the last line is nothing of this search: ") + error.what());
     }
   }
-  if (control.progress) control.progress(states);
+  if (control.progress) control.progress(states, 1 - search.remaining_share(), /*before=*/true);
   const auto start = Clock::now();
   // Each run makes some progress, however little time it has.
   for (bool late = false; !search.done() && !late; late = control.deadline && Clock::now() > *control.deadline) {

@@ -54,6 +54,31 @@ std::string problem_with(const SearchProblem& problem) {
   return irregular_problem(problem.irregular);
 }
 
+namespace {
+
+// 4 minus the sum of all indices: 2 - q at the boundary, 4 - l inside. Discrete Gauss-Bonnet: it is 0 in a disk.
+int missing_index(const SearchProblem& problem) {
+  int index = 4;
+  for (const int quads : problem.interior_quads) index -= 2 - quads;
+  for (const int l : problem.irregular) index -= 4 - l;
+  return index;
+}
+
+}  // namespace
+
+std::string impossibility(const SearchProblem& problem) {
+  std::string why;
+  if (const std::size_t edges = problem.interior_quads.size(); edges % 2 != 0)
+    why = "the sides have the odd sum " + std::to_string(edges) + ", and the boundary of a quadrangulated disk is even";
+  const int missing = missing_index(problem);
+  if (missing == 0) return why;
+  int inside = 0;
+  for (const int l : problem.irregular) inside += 4 - l;
+  return why + (why.empty() ? "" : "; ") + "the indices 4 - l of the irregular vertices sum to " +
+         std::to_string(inside) + ", and with this boundary they must sum to " + std::to_string(inside + missing) +
+         " (discrete Gauss-Bonnet)";
+}
+
 bool may_be_infinite(const SearchProblem& problem) {
   int positive_index = 0;
   for (const int l : problem.irregular) positive_index += std::max(4 - l, 0);
@@ -74,10 +99,7 @@ namespace {
 std::vector<BacktrackingSearch> starts_of(const SearchProblem& problem, SearchControl& control) {
   if (const std::string what = problem_with(problem); !what.empty()) throw std::invalid_argument(what);
   // may_be_filled() asks whether some part of the budget fits; here the whole has to.
-  int index = 4;
-  for (const int quads : problem.interior_quads) index -= 2 - quads;
-  for (const int l : problem.irregular) index -= 4 - l;
-  if (index != 0) return {};
+  if (missing_index(problem) != 0) return {};
   PartialMesh start(problem.irregular);
   std::vector<PartialMesh::BoundaryVertex> ring;
   for (const int quads : problem.interior_quads) ring.push_back({start.add_vertex(), quads});

@@ -47,7 +47,10 @@ struct SearchProblem {
 SearchProblem search_problem(const std::vector<int>& sides, std::vector<int> irregular);
 // One line on what is wrong with a problem; "" if nothing is.
 std::string problem_with(const SearchProblem& problem);
-// The same for the irregular valences alone.
+// Why there can be no filling, in words: the boundary has an odd number of edges, or the indices do not sum to what
+// discrete Gauss-Bonnet asks for. "" if neither is so; then the search has to find out.
+std::string impossibility(const SearchProblem& problem);
+// What problem_with() says of the irregular valences alone.
 std::string irregular_problem(const std::vector<int>& irregular);
 // Whether the number of fillings can be infinite. If so, a search without a face limit may not end.
 bool may_be_infinite(const SearchProblem& problem);
@@ -64,11 +67,15 @@ struct SearchPruning {
   bool face_bound = true;    // the face limit leaves n/2 - 1 quads for each hole of n edges
 };
 
+// Told how many more states were met, and an estimate of their share of all the work; or, once, how many the journal
+// has from before. From any thread.
+using SearchProgress = std::function<void(std::int64_t states, double share, bool before)>;
+
 struct SearchLimits {
   std::optional<int> faces;  // the largest number of faces of a filling; at most kMostFaces
   std::optional<double> seconds;
-  int threads = 0;                             // 0: as many as there are cores
-  std::function<void(std::int64_t)> progress;  // called with the number of states since the last call; from any thread
+  int threads = 0;  // 0: as many as there are cores
+  SearchProgress progress;
   SearchPruning pruning;
 };
 

@@ -14,8 +14,8 @@ SearchControl::SearchControl(const SearchLimits& limits)
   }
 }
 
-bool SearchControl::should_stop(std::int64_t states) {
-  if (progress) progress(states);
+bool SearchControl::should_stop(std::int64_t states, double share) {
+  if (progress) progress(states, share, /*before=*/false);
   const auto passed = [now = Clock::now()](const std::optional<Clock::time_point>& time) {
     return time && now > *time;
   };

@@ -23,13 +23,13 @@ struct SearchControl {
   int most_faces;                             // fillings with more faces are not looked for
   std::optional<Clock::time_point> deadline;  // the search ends then
   std::optional<Clock::time_point> pause;     // the search stops then, so that its journal can be written
-  std::function<void(std::int64_t)> progress;
+  SearchProgress progress;
   std::atomic<bool> stop{false};            // every thread stops when it next looks
   std::atomic<bool> face_limit_cut{false};  // a branch ended at most_faces
 
-  // Reports this many more states. Returns whether the search is to stop. Sets `stop` if one of the two times has
+  // Reports this many more states, and this share of the work. Returns whether the search is to stop. Sets `stop` if one of the two times has
   // passed. Safe from any thread if `progress` is.
-  bool should_stop(std::int64_t states);
+  bool should_stop(std::int64_t states, double share);
 };
 
 }  // namespace requad::enumerate

@@ -7,8 +7,18 @@
 
 namespace requad::enumerate {
 
+namespace {
+
+// Each of them is the same share of the work.
+std::vector<BacktrackingSearch> with_shares(std::vector<BacktrackingSearch> starts) {
+  for (BacktrackingSearch& start : starts) start.set_share(1 / static_cast<double>(starts.size()));
+  return starts;
+}
+
+}  // namespace
+
 SharedSearch::SharedSearch(std::vector<BacktrackingSearch> starts, SearchControl& control)
-    : starts_(std::move(starts)), control_(control) {
+    : starts_(with_shares(std::move(starts))), control_(control) {
   for (std::size_t i = 0; i < starts_.size(); ++i) subtrees_.push_back({static_cast<int>(i), starts_[i]});
 }
 
@@ -70,6 +80,12 @@ void SharedSearch::add_subtree(Subtree subtree) {
   subtrees_.push_back(std::move(subtree));
   update_wanted();
   changed_.notify_one();
+}
+
+double SharedSearch::remaining_share() const {
+  double sum = 0;
+  for (const Subtree& subtree : subtrees_) sum += subtree.search.remaining_share();
+  return sum;
 }
 
 std::vector<std::vector<int>> SharedSearch::remaining() const {

@@ -32,6 +32,8 @@ class SharedSearch {
 
   // What remains, as numbers: for each subtree the index of its start, then its guiding path.
   std::vector<std::vector<int>> remaining() const;
+  // An estimate of its share of all the work.
+  double remaining_share() const;
   // Replaces what remains. Throws std::invalid_argument if the numbers are not such a list of this search.
   void set_remaining(const std::vector<std::vector<int>>& subtrees);
 
