@@ -1,11 +1,11 @@
 // Reads a quad mesh, makes the first pair move that its first two irregular vertices have, and writes the result.
 #include <iostream>
 
-#include "mesh/editing/editor.hpp"
-#include "mesh/files/surface.hpp"
-#include "mesh/files/write_obj.hpp"
-#include "mesh/irregular/pair_moves.hpp"
-#include "mesh/topology/separatrix.hpp"
+#include <requad/mesh/editing/editor.hpp>
+#include <requad/mesh/files/surface.hpp>
+#include <requad/mesh/files/write_obj.hpp>
+#include <requad/mesh/irregular/pair_moves.hpp>
+#include <requad/mesh/topology/separatrix.hpp>
 
 int main(int argc, char** argv) {
   using namespace requad::mesh;
