@@ -1,7 +1,6 @@
 #include "verify/campaign.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -58,15 +57,18 @@ class CampaignProgress {
   CampaignProgress(const std::vector<RegionCase>& cases, bool by_configurations, bool quiet)
       : cases_(cases),
         by_configurations_(by_configurations),
+        all_(std::max(1.0, by_configurations ? static_cast<double>(all_steps()) : cost_estimate(cases))),
         progress_(by_configurations ? "configurations" : "regions", all_steps(), quiet) {}
 
-  void was_done_before(std::size_t i) { progress_.advance(steps(i)); }
-  void is_done() {
-    if (!by_configurations_) progress_.advance();
+  void was_done_before(std::size_t i) { progress_.was_done(steps(i), share(i)); }
+  void is_done(std::size_t i) {
+    if (!by_configurations_) progress_.advance(1, share(i));
   }
   enumerate::WalkProgress while_walking() {
     if (!by_configurations_) return {};
-    return [this](std::int64_t configurations) { progress_.advance(configurations); };
+    return [this](std::int64_t configurations) {
+      progress_.advance(configurations, static_cast<double>(configurations) / all_);
+    };
   }
   void finish() { progress_.finish(); }
 
@@ -76,6 +78,9 @@ class CampaignProgress {
     const auto* const pair = std::get_if<PairCase>(&cases_[i]);
     return pair != nullptr ? theory::exact_count(pair->shape) : 0;
   }
+  double share(std::size_t i) const {
+    return (by_configurations_ ? static_cast<double>(steps(i)) : cost_estimate(cases_[i])) / all_;
+  }
   std::int64_t all_steps() const {
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < cases_.size(); ++i) sum += steps(i);
@@ -84,6 +89,7 @@ class CampaignProgress {
 
   const std::vector<RegionCase>& cases_;
   bool by_configurations_;
+  double all_;  // the work of all cases
   program::Progress progress_;
 };
 
@@ -95,17 +101,6 @@ void take_from_journal(Journal& journal, Results& results, CampaignProgress& pro
   journal.results().clear();
 }
 
-// An estimate of the relative cost of a case.
-struct Cost {
-  double operator()(const PairCase& pair) const {
-    return std::pow(static_cast<double>(pair.shape.perimeter()), 4) * pair.shape.type().rotation_count();
-  }
-  double operator()(const VertexCase& vertex) const { return std::pow(static_cast<double>(vertex.sides.sum()), 2); }
-  double operator()(const TripleCase& triple) const {
-    return 10 * std::pow(static_cast<double>(triple.sides.sum()), 5);
-  }
-};
-
 // The cases without a result. The costliest come first, so that none of them is left for the end.
 std::vector<std::size_t> still_to_do(const std::vector<RegionCase>& cases, const Results& results) {
   std::vector<std::size_t> todo;
@@ -113,7 +108,7 @@ std::vector<std::size_t> still_to_do(const std::vector<RegionCase>& cases, const
     if (!results[i]) todo.push_back(i);
   }
   std::stable_sort(todo.begin(), todo.end(), [&cases](std::size_t a, std::size_t b) {
-    return std::visit(Cost{}, cases[a]) > std::visit(Cost{}, cases[b]);
+    return cost_estimate(cases[a]) > cost_estimate(cases[b]);
   });
   return todo;
 }
@@ -169,7 +164,7 @@ CampaignResult run_campaign(const std::vector<const Claim*>& selected, const std
   const Done done = [&](std::size_t i, CaseResult result) {
     if (running.journal != nullptr) running.journal->append(i, result);
     results[i] = std::move(result);
-    progress.is_done();
+    progress.is_done(i);
   };
   if (running.distribute) {
     running.distribute(todo, done);

@@ -1,6 +1,7 @@
 #include "verify/case_list.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace requad::verify {
@@ -92,6 +93,28 @@ void add_three_vertices(Cases& cases, program::Range perimeters) {
 }
 
 }  // namespace
+
+namespace {
+
+struct Cost {
+  double operator()(const PairCase& pair) const {
+    return std::pow(static_cast<double>(pair.shape.perimeter()), 4) * pair.shape.type().rotation_count();
+  }
+  double operator()(const VertexCase& vertex) const { return std::pow(static_cast<double>(vertex.sides.sum()), 2); }
+  double operator()(const TripleCase& triple) const {
+    return 10 * std::pow(static_cast<double>(triple.sides.sum()), 5);
+  }
+};
+
+}  // namespace
+
+double cost_estimate(const RegionCase& region) { return std::visit(Cost{}, region); }
+
+double cost_estimate(const std::vector<RegionCase>& cases) {
+  double sum = 0;
+  for (const RegionCase& region : cases) sum += cost_estimate(region);
+  return sum;
+}
 
 std::vector<RegionCase> list_cases(const Ranges& ranges, const std::set<Family>& families) {
   Cases cases;

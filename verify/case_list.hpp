@@ -26,4 +26,8 @@ struct Ranges {
 //                    and 22 that depend on the valences; even perimeters, as for pairs.
 std::vector<RegionCase> list_cases(const Ranges& ranges, const std::set<Family>& families);
 
+// An estimate of the work that a case is, beside that of other cases; and the sum of some.
+double cost_estimate(const RegionCase& region);
+double cost_estimate(const std::vector<RegionCase>& cases);
+
 }  // namespace requad::verify

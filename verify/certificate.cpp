@@ -141,6 +141,12 @@ constexpr std::array<CertifiedFamily, 5> kCertifiedFamilies{{
 
 }  // namespace
 
+std::set<Family> certified_families() {
+  std::set<Family> families;
+  for (const CertifiedFamily& certified : kCertifiedFamilies) families.insert(certified.family);
+  return families;
+}
+
 int write_certificates(const std::string& folder, const Ranges& ranges, const std::set<Family>& families, bool quiet) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -159,8 +165,9 @@ int write_certificates(const std::string& folder, const Ranges& ranges, const st
   program::Outputs outputs;
   std::string entries;
   int written = 0;
+  const double all = cost_estimate(cases);
   for (const RegionCase& c : cases) {
-    progress.advance();
+    progress.advance(1, cost_estimate(c) / all);
     const PairStudy s = study_pair(std::get<PairCase>(c).shape, {Method::moves});
     if (s.pairs_found() == 0) continue;
     const std::string file = s.shape.type().name() + "-" + theory::joined(s.shape.sides(), "-") + ".txt";

@@ -47,6 +47,9 @@ namespace requad::verify {
 // connected.
 std::string certificate_text(const PairStudy& study);
 
+// The families of regions of which there are certificates.
+std::set<Family> certified_families();
+
 // Explores all regions with a pair that the ranges have of these families, and writes the certificates and the MANIFEST
 // into the folder, which is made if it does not exist. Writes all or none. Returns the number of certificates. Throws
 // program::UsageError if the folder cannot be written.

@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 
+#include "mesh/program/layout.hpp"
 #include "verify/claims/judging.hpp"
 #include "verify/errata.hpp"
 #include "verify/sentences.hpp"
@@ -15,8 +16,12 @@ using nlohmann::ordered_json;
 
 namespace {
 
+constexpr std::size_t kHanging = 7;  // the column after a claim's id
+
 std::string range_of(Family family, const Ranges& ranges) {
-  const auto span = [](program::Range r) { return std::to_string(r.first) + ".." + std::to_string(r.last); };
+  const auto span = [](program::Range r) {
+    return std::to_string(r.first) + (r.first == r.last ? "" : ".." + std::to_string(r.last));
+  };
   switch (family) {
     case Family::regular_digon: return "digons L=" + span(ranges.digon);
     case Family::regular_hexagon: return "hexagons L=" + span(ranges.hexagon);
@@ -39,6 +44,8 @@ ordered_json counterexample(const ClaimResult& c) {
           {"found", c.found}};
 }
 
+}  // namespace
+
 ordered_json proof_json(const std::optional<theory::Proof>& proof) {
   if (!proof) return nullptr;
   ordered_json steps = ordered_json::array();
@@ -52,7 +59,24 @@ ordered_json proof_json(const std::optional<theory::Proof>& proof) {
           {"proved", proof->proved()}};
 }
 
-}  // namespace
+ordered_json claims_json() {
+  ordered_json list = ordered_json::array();
+  for (const Claim& c : claims()) {
+    list.push_back({{"id", c.id},
+                    {"where", c.where},
+                    {"statement", c.statement},
+                    {"compares", c.compares},
+                    {"fails_if", c.fails_if}});
+  }
+  return {{"claims", list}};
+}
+
+ordered_json sentences_json() {
+  ordered_json list = ordered_json::array();
+  for (const UndecidedSentence& s : undecided_sentences())
+    list.push_back({{"where", s.where}, {"sentence", s.sentence}, {"reason", s.reason}});
+  return {{"sentences", list}};
+}
 
 std::string range_text(const Ranges& ranges, const std::set<Family>& families) {
   std::string text;
@@ -68,9 +92,7 @@ ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
     json["errata"].push_back(
         {{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
   }
-  json["sentences"] = ordered_json::array();
-  for (const UndecidedSentence& s : undecided_sentences())
-    json["sentences"].push_back({{"where", s.where}, {"sentence", s.sentence}, {"reason", s.reason}});
+  json.update(sentences_json());
   json["regions"] = ordered_json::array();
   for (const auto& [family, total] : result.regions) {
     json["regions"].push_back({{"family", name(family)},
@@ -116,20 +138,26 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << range_of(family, ranges);
     if (const auto it = result.regions.find(family); it != result.regions.end()) {
       const RegionTotal& total = it->second;
-      out << ": " << total.regions << " regions, " << total.searched << " searched";
+      out << ": " << total.regions << (total.regions == 1 ? " region, " : " regions, ") << total.searched
+          << " searched";
       if (total.searched > 0) out << ", " << total.empty << " of these empty";
     }
     out << '\n';
   }
   out << "\nclaim  verdict     regions    checks  statement\n";
+  constexpr std::size_t kBeforeStatement = 38;  // columns
   for (const ClaimResult& c : result.claims) {
     std::int64_t checks = 0;
     for (const auto& [family, total] : c.totals) checks += total.checks;
     out << std::left << std::setw(7) << c.claim->id << std::setw(10) << verdict(c) << std::right << std::setw(9)
-        << c.instances << std::setw(10) << checks << "  " << c.claim->statement << " [" << c.claim->where << "]\n";
+        << c.instances << std::setw(10) << checks;
+    std::vector<std::string> statement =
+        program::wrapped(c.claim->statement + " [" + c.claim->where + "]", kBeforeStatement, program::text_width());
+    statement.front().erase(0, kBeforeStatement - 2);  // the columns before it are written
+    for (const std::string& line : statement) out << line << '\n';
   }
   const char* heading =
-      "\nproved by exact arithmetic for every size, apart from these instances (--proofs has the steps):\n";
+      "\nproved by exact arithmetic for every size, apart from these instances\n(--proofs has the steps):\n";
   for (const ClaimResult& c : result.claims) {
     if (!c.proof || !c.proof->proved()) continue;
     out << heading << std::left << std::setw(7) << c.claim->id << c.proof->range << ": " << c.proof->statement << '\n';
@@ -147,7 +175,7 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     if (c.violated > 1) out << "  and in " << counted(c.violated - 1, "other region") << ", not shown\n";
     if (!c.predicted.empty()) out << "  predicted: " << c.predicted << "\n  found: " << c.found << '\n';
   }
-  return out.str();
+  return program::fitted(out.str(), kHanging);
 }
 
 std::string proof_text(const theory::Proof& proof) {

@@ -38,6 +38,11 @@ std::string proof_text(const theory::Proof& proof);
 inline constexpr std::size_t kRowsShown = 60;
 std::string report_html(const CampaignResult& result, const Ranges& ranges);
 
+// Parts of the report, for the commands that print them alone.
+nlohmann::ordered_json claims_json();  // [{"id", "where", "statement", "compares", "fails_if"}, ...]
+nlohmann::ordered_json sentences_json();
+nlohmann::ordered_json proof_json(const std::optional<theory::Proof>& proof);
+
 // "holds", "fails", "undecided".
 const char* verdict(const ClaimResult& claim);
 

@@ -5,6 +5,7 @@
 
 #include "figures/commands/commands.hpp"
 #include "figures/explorer/explorer.hpp"
+#include "theory/counts.hpp"
 
 namespace requad::figures {
 
@@ -16,7 +17,7 @@ using program::UsageError;
 int explorer(const program::Options& options) {
   const std::string pair = options.required("pair", "3-3, 5-5 or 3-5");
   const auto type = theory::pair_type(pair);
-  if (!type) throw UsageError("--pair: '" + pair + "' is not one of 3-3, 5-5, 3-5");
+  if (!type || !theory::has_exact_count(*type)) throw UsageError("--pair: '" + pair + "' is not one of 3-3, 5-5, 3-5");
   const theory::IntegerVector sides = theory::to_vector(
       program::parse_integers(options.required("sides", "side lengths as in --sides 6,6"), "--sides"));
   if (const std::string problem = theory::RegionShape::problem(*type, sides); !problem.empty())
@@ -60,7 +61,8 @@ program::Command explorer_command() {
           {
               program::value("sides", "S1,S2,...", "the lengths of the region's sides, counter-clockwise"),
               program::value("pair", "3-3|5-5|3-5", "the valences of the pair"),
-              program::output("output,o", "FILE", "the HTML file to write, or - (default explorer.html)"),
+              program::output("output,o", "FILE", "the HTML file to write, or - (default explorer.html)",
+                              {{"html", {"html", "htm"}}}),
           },
       .run = explorer,
   };

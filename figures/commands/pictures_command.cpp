@@ -10,6 +10,7 @@
 #include "figures/commands/commands.hpp"
 #include "figures/graph_files.hpp"
 #include "figures/pictures/catalogue.hpp"
+#include "mesh/program/progress.hpp"
 
 namespace requad::figures {
 
@@ -26,6 +27,25 @@ struct Figure {
 
 bool is_graph(const std::string& format) { return format == "dot" || format == "graphml"; }
 
+std::vector<std::string> chosen_ids(const Options& options) {
+  std::vector<std::string> all;
+  for (const CatalogueEntry& entry : catalogue()) all.emplace_back(entry.id);
+  return options.choices("figure", all, all);
+}
+
+// An option that is one of Choices: one of the figures takes it.
+program::Option for_figures(program::Option option) {
+  const std::string name = option.long_name();
+  return program::only_if(std::move(option), [name](const Options& options) {
+    const std::vector<std::string> ids = chosen_ids(options);
+    const auto takes_it = [&](const CatalogueEntry& entry) {
+      return entry.choice == name && std::find(ids.begin(), ids.end(), entry.id) != ids.end();
+    };
+    const bool taken = std::any_of(catalogue().begin(), catalogue().end(), takes_it);
+    return taken ? std::string() : "--" + name + " has no effect on these figures";
+  });
+}
+
 Choices choices_of(const Options& options) {
   Choices choices;
   if (options.has("side")) choices.side = static_cast<int>(options.integer("side", 0, 3, 40));
@@ -40,10 +60,13 @@ Choices choices_of(const Options& options) {
 
 // Makes the figures of --figure, in the order of the catalogue. This is done before the first file is written: if one
 // of them cannot be made, nothing is written.
-std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choices& choices) {
+std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choices& choices, bool quiet) {
   std::vector<Figure> figures;
+  program::Progress progress("figures", std::ssize(ids), quiet);
   for (const CatalogueEntry& entry : catalogue()) {
-    if (std::find(ids.begin(), ids.end(), entry.id) != ids.end()) figures.push_back({&entry, entry.make(choices)});
+    if (std::find(ids.begin(), ids.end(), entry.id) == ids.end()) continue;
+    figures.push_back({&entry, entry.make(choices)});
+    progress.advance();
   }
   return figures;
 }
@@ -58,9 +81,7 @@ void require_formats(const std::vector<Figure>& figures, const std::vector<std::
 }
 
 std::string file_text(const Picture& picture, const std::string& format) {
-  if (format == "dot") return to_dot(*picture.grid);
-  if (format == "graphml") return to_graphml(*picture.grid);
-  return pictures::render(picture.paint, format);
+  return format == "dot" ? to_dot(*picture.grid) : pictures::render(picture.paint, format);
 }
 
 // Files in one folder, and what is reported about each.
@@ -87,23 +108,72 @@ class Folder {
   std::string text_;
 };
 
+ordered_json sizes_of(const Figure& figure, const GridFigure& grid) {
+  return {{"figure", figure.entry->id}, {"nodes", grid.nodes.size()}, {"edges", grid.edges.size()}};
+}
+
+// GraphML has one graph a file: figure-10-side-6.graphml, figure-10-side-5.graphml.
+void add_graphs(Folder& folder, const Figure& figure) {
+  const GridFigure& all = *figure.picture.grid;
+  for (std::size_t i = 0; i < all.grids.size(); ++i) {
+    const GridFigure grid = grid_alone(all, i);
+    const std::string side = "-side-" + std::to_string(grid.grids[0].shape.longest());
+    folder.add(figure.entry->file() + (all.grids.size() > 1 ? side : "") + ".graphml", to_graphml(grid), all.title,
+               sizes_of(figure, grid));
+  }
+}
+
 void add_figure(Folder& folder, const Figure& figure, const std::string& format) {
   const Picture& picture = figure.picture;
   if (is_graph(format) && !picture.grid) return;
-  ordered_json about{{"figure", figure.entry->id}};
-  if (picture.grid) {
-    about["nodes"] = picture.grid->nodes.size();
-    about["edges"] = picture.grid->edges.size();
-  }
+  if (format == "graphml") return add_graphs(folder, figure);
   folder.add(figure.entry->file() + "." + format, file_text(picture, format),
-             picture.grid ? picture.grid->title : figure.entry->title, std::move(about));
+             picture.grid ? picture.grid->title : figure.entry->title,
+             picture.grid ? sizes_of(figure, *picture.grid) : ordered_json{{"figure", figure.entry->id}});
+}
+
+const std::vector<program::Format>& picture_formats() {
+  static const std::vector<program::Format> all{
+      {"svg", {"svg"}}, {"pdf", {"pdf"}}, {"png", {"png"}}, {"dot", {"dot", "gv"}}, {"graphml", {"graphml", "xml"}}};
+  return all;
+}
+
+// Whether -o names one file: "-", or a name with the end of a format. Otherwise it names a folder.
+bool is_one_file(const Options& options) {
+  const std::string name = options.text("output");
+  const auto& formats = picture_formats();
+  return name == "-" || std::any_of(formats.begin(), formats.end(), [&name](const program::Format& format) {
+           return program::has_extension(format, program::extension_of(name));
+         });
+}
+
+// Writes one figure, or for GraphML one graph, to the file of -o.
+int write_one_picture(const Options& options) {
+  const std::vector<std::string> ids = chosen_ids(options), asked = options.list("format");
+  if (ids.size() != 1 || asked.size() > 1)
+    throw UsageError("-o " + options.text("output") + " is one file; expected one --figure and one format");
+  const std::string format = options.format("output", asked.empty() ? "" : asked.front()).name;
+  options.require_outputs();
+  program::require_writable(options.text("output"));
+  Figure figure = make_figures(ids, choices_of(options), options.quiet()).front();
+  require_formats({figure}, {format});
+  if (format == "graphml" && figure.picture.grid->grids.size() > 1)
+    throw UsageError("-o " + options.text("output") + ": this figure has " +
+                     std::to_string(figure.picture.grid->grids.size()) +
+                     " graphs, and each has a file of its own; expected a folder");
+  program::Outputs outputs;
+  outputs.add(options.text("output"),
+              format == "graphml" ? to_graphml(*figure.picture.grid) : file_text(figure.picture, format));
+  const ordered_json about{{"figure", ids.front()}, {"file", options.text("output")}, {"title", figure.entry->title}};
+  program::finish(options, ordered_json{{"files", {about}}}.dump(),
+                  options.text("output") + ": " + figure.entry->title + "\n", std::move(outputs));
+  return program::kDone;
 }
 
 int write_pictures(const Options& options) {
+  if (is_one_file(options)) return write_one_picture(options);
   namespace fs = std::filesystem;
-  std::vector<std::string> all;
-  for (const CatalogueEntry& entry : catalogue()) all.emplace_back(entry.id);
-  const auto ids = options.choices("figure", all, all);
+  const std::vector<std::string> ids = chosen_ids(options);
   const auto formats = options.choices("format", {"svg", "pdf", "png", "dot", "graphml"}, {"svg", "dot"});
   const Choices choices = choices_of(options);
   const std::string path = options.text("output", ".");
@@ -111,19 +181,32 @@ int write_pictures(const Options& options) {
   // --json may name a file in this folder, which need not exist yet.
   const fs::path list = fs::path(options.text("json")).lexically_normal();
   if (list.parent_path() != (fs::path(path) / "").lexically_normal().parent_path()) options.require_outputs();
-  const std::vector<Figure> figures = make_figures(ids, choices);
+  const std::vector<Figure> figures = make_figures(ids, choices, options.quiet());
   if (options.has("format") && options.has("figure")) require_formats(figures, formats);
 
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw UsageError(path + ": " + error.message());
   Folder folder(path);
+  program::Progress progress("files", std::ssize(figures) * std::ssize(formats), options.quiet());
   for (const Figure& figure : figures) {
-    for (const std::string& format : formats) add_figure(folder, figure, format);
+    for (const std::string& format : formats) {
+      add_figure(folder, figure, format);
+      progress.advance();
+    }
   }
+  progress.finish();
   if (options.has("page")) folder.add("README.md", gallery_page(), "Gallery", ordered_json::object());
   folder.finish(options);
   return program::kDone;
+}
+
+program::Option folder_or_file() {
+  program::Option option = program::folder("output,o", "DIR|FILE",
+                                           "the folder to write to (default .), or the file for a single figure, "
+                                           "whose format its end says; - for standard output");
+  option.formats = picture_formats();
+  return option;
 }
 
 }  // namespace
@@ -149,7 +232,7 @@ program::Command pictures_command() {
       .examples =
           {
               "requad-figures -o pictures",
-              "requad-figures --figure 11 --side 8 --format svg",
+              "requad-figures --figure 11 --side 8 -o figure.pdf",
               "requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png",
               "requad-figures --figure hexagon --sides 3,4,5,4,3,5 --format pdf",
           },
@@ -159,14 +242,20 @@ program::Command pictures_command() {
               program::list("format", "F",
                             "svg, pdf or png; for graphs also dot or graphml; may be repeated (default: svg, and dot "
                             "for graphs)"),
-              program::value("output,o", "DIR", "the folder to write to (default .)"),
-              program::value("side", "L",
-                             "the side length, 3..40 (default 6; 5 for unfolded-11, 4 for octagon); the time of a "
-                             "picture grows as L^4 or faster"),
-              program::value("pair-region", "D1,D2,M,N",
-                             "for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)"),
-              program::value("sides", "E1,...,E6", "for the hexagon (default 4,5,4,4,5,4)"),
-              program::flag("page", "write DIR/README.md too, a page with all figures, their captions and commands"),
+              folder_or_file(),
+              for_figures(
+                  program::value("side", "L",
+                                 "the side length, 3..40 (default 6; 5 for unfolded-11, 4 for octagon); the time of a "
+                                 "picture grows as L^4 or faster")),
+              for_figures(program::value("pair-region", "D1,D2,M,N",
+                                         "for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)")),
+              for_figures(program::value("sides", "E1,...,E6", "for the hexagon (default 4,5,4,4,5,4)")),
+              program::only_if(
+                  program::flag("page",
+                                "write DIR/README.md too, a page with all figures, their captions and commands"),
+                  [](const Options& options) {
+                    return is_one_file(options) ? std::string("--page has no effect where -o names one file") : "";
+                  }),
           },
       .outputs_are_known = false,
       .run = write_pictures,

@@ -31,6 +31,7 @@ struct CatalogueEntry {
   const char* title;
   const char* caption;  // Markdown, one paragraph
   bool is_grid;
+  const char* choice;  // what of Choices it takes, as an option of requad-figures: "side", "pair-region", "sides" or ""
   std::function<Picture(const Choices&)> make;  // throws std::invalid_argument if there is no such region
 
   // The name of its files without the extension: "figure-2", "dual-10".

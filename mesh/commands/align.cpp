@@ -13,6 +13,7 @@ program::Command align_command() {
       .examples = {"requad-edit align mesh/examples/figure-17.obj 153 366 -o aligned.obj"},
       .options = editing_options(),
       .words = {3, 3},
+      .files = {0},
       .run = [](const program::Options& options) { return edit_pair(options, "align", mesh::align_pair); },
   };
 }

@@ -17,9 +17,8 @@ using program::Options;
 int apply(const Options& options) {
   output_path(options, "apply");
   const auto& words = options.words();
-  wants_features(options);  // throws before a file is read
   const bool undo = options.has("undo");
-  mesh::Script script = mesh::parse_script(mesh::read_text(words[1]), words[1]);
+  mesh::Script script = mesh::parse_script(mesh::read_text(words[1]), mesh::name_in_messages(words[1]));
   mesh::Surface input = read_input(options);
   if (undo) {
     mesh::restore_ids(script, input);
@@ -29,7 +28,7 @@ int apply(const Options& options) {
   Session session(options, "apply", std::move(input));
   const mesh::Replay result = mesh::replay(session.editor(), script);
   if (result.refusal != mesh::Refusal::none)
-    return session.refused(words[1] + ":" + std::to_string(result.line), result.refusal);
+    return session.refused(mesh::name_in_messages(words[1]) + ":" + std::to_string(result.line), result.refusal);
   const auto edits = static_cast<int>(script.changes.size());
   nlohmann::ordered_json summary{{"edits", edits}, {"undone", undo}};
   std::string text = counted(edits, "edit", "edits") + (undo ? " undone\n" : " made\n");
@@ -48,7 +47,7 @@ program::Command apply_command() {
   std::vector<program::Option> options{
       output_option(),
       program::flag("undo", "undo the edits: IN is what the command wrote, OUT what it read"),
-      program::output("map", "FILE", "write where each vertex and face is now, as JSON"),
+      program::output("map", "FILE", "write where each vertex and face is now, as JSON", {{"json", {"json"}}}),
   };
   for (program::Option& option : input_options()) options.push_back(std::move(option));
   return {
@@ -79,6 +78,7 @@ writes. (Scripts count from 0.)
                    "requad-edit apply less.obj edits.txt --undo -o back.obj"},
       .options = std::move(options),
       .words = {2, 2},
+      .files = {0, 1},
       .run = apply,
   };
 }

@@ -11,8 +11,10 @@ using program::UsageError;
 
 std::vector<program::Option> input_options() {
   return {
-      program::value("feature-angle", "DEG", "edges whose faces' normals differ by DEG degrees or more are features"),
-      program::value("features", "FILE",
+      program::not_with(program::value("feature-angle", "DEG",
+                                       "edges whose faces' normals differ by DEG degrees or more are features"),
+                        {"features"}),
+      program::input("features", "FILE",
                      "the edges that FILE lists are features: two vertices on each line, or the `l` lines of an OBJ "
                      "file; vertices are counted from 1"),
       program::flag("subdivide", "cut each polygon of IN with n sides into n quads first"),
@@ -22,9 +24,11 @@ std::vector<program::Option> input_options() {
 
 std::vector<program::Option> seam_options() {
   return {
-      program::flag(
-          "keep-seams",
-          "seams of texture coordinates are features (the default, unless each face has a texture for itself)"),
+      program::not_with(
+          program::flag(
+              "keep-seams",
+              "seams of texture coordinates are features (the default, unless each face has a texture for itself)"),
+          {"no-keep-seams"}),
       program::flag("no-keep-seams", "they are not: texture coordinates of what changes near them are guessed"),
   };
 }
@@ -36,8 +40,6 @@ std::vector<program::Option> input_and_seam_options() {
 }
 
 bool keeps_seams(const Options& options, const mesh::Surface& surface, const mesh::FeatureEdges& seams) {
-  if (options.has("keep-seams") && options.has("no-keep-seams"))
-    throw UsageError("seams are kept or not: expected one of --keep-seams and --no-keep-seams");
   for (const std::string option : {"keep-seams", "no-keep-seams"}) {
     if (options.has(option) && seams.empty())
       throw UsageError("--" + option + ": IN has no seams of texture coordinates");
@@ -50,18 +52,15 @@ std::string not_kept_line(const mesh::Attributes& attributes) {
   return words.empty() ? "" : "not kept: " + words + "\n";
 }
 
-program::Option output_option() { return program::output("output,o", "OUT", "the OBJ file to write, or -"); }
+program::Option output_option() {
+  return program::output("output,o", "OUT", "the OBJ file to write, or -", {{"obj", {"obj"}}});
+}
 
 mesh::Surface read_input(const Options& options) {
   return mesh::read_surface(options.words().front(), options.has("subdivide"), options.has("weld"));
 }
 
-bool wants_features(const Options& options) {
-  if (options.has("feature-angle") && options.has("features")) {
-    throw UsageError("features come from --feature-angle or --features, not from both");
-  }
-  return options.has("feature-angle") || options.has("features");
-}
+bool wants_features(const Options& options) { return options.has("feature-angle") || options.has("features"); }
 
 mesh::FeatureEdges read_features(const Options& options, const mesh::Surface& surface) {
   if (!wants_features(options)) return {};
@@ -72,10 +71,7 @@ mesh::FeatureEdges read_features(const Options& options, const mesh::Surface& su
 std::string output_path(const Options& options, const std::string& command) {
   if (!options.has("output"))
     throw UsageError(command + ": -o is missing; expected a file to write, or - for standard output");
-  std::string path = options.text("output");
-  if (path.ends_with(".off") || path.ends_with(".OFF"))
-    throw UsageError(path + ": only OBJ can be written; expected a name that ends in .obj");
-  return path;
+  return options.text("output");
 }
 
 void report_left_out(const Options& options, const mesh::Surface& surface) {

@@ -30,12 +30,12 @@ program::Option output_option();
 // joins vertices. Throws FileError.
 mesh::Surface read_input(const program::Options& options);
 
-// Whether --feature-angle or --features is given. Throws UsageError if both are.
+// Whether --feature-angle or --features is given.
 bool wants_features(const program::Options& options);
 // The feature edges that these options ask for; none if neither is given. Throws UsageError or FileError.
 mesh::FeatureEdges read_features(const program::Options& options, const mesh::Surface& surface);
 
-// The path that -o gives. Throws UsageError if -o is missing or names an OFF file.
+// The path that -o gives. Throws UsageError if -o is missing.
 std::string output_path(const program::Options& options, const std::string& command);
 
 // Says on standard error, in one line, how many vertices of the file the result lacks since no face has them.

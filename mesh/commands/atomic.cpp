@@ -1,5 +1,6 @@
 // requad-edit atomic: lists or makes the atomic operations of section 5 at a vertex or along an edge.
 
+#include <algorithm>
 #include <optional>
 
 #include "mesh/commands/commands.hpp"
@@ -161,6 +162,19 @@ std::string names_text() {
   return text;
 }
 
+// Those of an editing command, which need --make, and that option.
+std::vector<program::Option> atomic_options() {
+  std::vector<program::Option> options;
+  const std::vector<program::Option> reading = input_options();
+  for (program::Option& option : editing_options()) {
+    const bool reads = std::any_of(reading.begin(), reading.end(),
+                                   [&option](const program::Option& other) { return other.name == option.name; });
+    options.push_back(reads ? std::move(option) : program::only_with(std::move(option), {"make"}));
+  }
+  options.insert(options.begin(), program::value("make", "NAME", "make the operation of this name"));
+  return options;
+}
+
 }  // namespace
 
 program::Command atomic_command() {
@@ -177,8 +191,9 @@ on that hand.
 )",
       .examples = {"requad-edit atomic mesh/examples/figure-17.obj 366",
                    "requad-edit atomic mesh/examples/figure-17.obj 366 149 --make 'move-v3 flip left' -o moved.obj"},
-      .options = editing_options({program::value("make", "NAME", "make the operation of this name")}),
+      .options = atomic_options(),
       .words = {2, 3},
+      .files = {0},
       .run = atomic,
   };
 }

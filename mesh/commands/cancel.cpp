@@ -74,6 +74,7 @@ A and B.
                                                 "a third vertex that helps; may be repeated (default: the " +
                                                     std::to_string(kMostHelpers) + " nearest irregular vertices)")}),
       .words = {3, 3},
+      .files = {0},
       .run = cancel,
   };
 }

@@ -18,16 +18,6 @@ using nlohmann::ordered_json;
 using program::Options;
 using program::UsageError;
 
-// The format that the extension of the output's name gives; SVG for standard output.
-std::string picture_format(const Options& options) {
-  const std::string path = options.required("output", "a picture to write, as OUT.svg, OUT.pdf or OUT.png");
-  if (path == "-") return "svg";
-  for (const std::string format : {"svg", "pdf", "png"}) {
-    if (path.ends_with("." + format)) return format;
-  }
-  throw UsageError(path + ": expected a name that ends in .svg, .pdf or .png");
-}
-
 pictures::View view_of(const Options& options, const mesh::Surface& surface) {
   pictures::View view = pictures::usual_view(surface.mesh, surface.positions);
   if (options.has("view")) {
@@ -50,8 +40,8 @@ ordered_json sizes(const mesh::Diagnosis& d) {
 }
 
 int draw(const Options& options) {
-  const std::string format = picture_format(options);
-  wants_features(options);
+  options.required("output", "a picture to write, as OUT.svg, OUT.pdf or OUT.png");
+  const std::string format = options.format().name;
   const double size = options.number("size", 480, 10, 10'000);
   const mesh::Surface surface = read_input(options);
   const pictures::View view = view_of(options, surface);
@@ -83,13 +73,14 @@ int draw(const Options& options) {
 
 program::Command draw_command() {
   std::vector<program::Option> options{
-      program::output("output,o", "OUT", "the picture to write: OUT.svg, OUT.pdf or OUT.png, or - for SVG"),
+      program::output("output,o", "OUT", "the picture to write: OUT.svg, OUT.pdf or OUT.png, or - for SVG",
+                      {{"svg", {"svg"}}, {"pdf", {"pdf"}}, {"png", {"png"}}}),
       program::value("view", "AZ,EL",
                      "where the viewer stands, in degrees: to the right of the front, and over the horizon (default "
                      "30,20; in front if the mesh is flat)"),
       program::value("up", "y|z", "the axis that points upwards (default y; z points to the front then, else -y)"),
       program::flag("checkerboard", "colour the quads like a checkerboard, as far as irregular vertices allow"),
-      program::value("before", "IN0", "draw IN0 to the left, in the same view and scale"),
+      program::input("before", "IN0", "draw IN0 to the left, in the same view and scale"),
       program::value("size", "POINTS", "the larger side of a mesh on the page (default 480)"),
   };
   for (program::Option& option : input_options()) options.push_back(std::move(option));
@@ -107,6 +98,7 @@ those of --features in IN alone.
                    "-o figure-18.png"},
       .options = std::move(options),
       .words = {1, 1},
+      .files = {0},
       .run = draw,
   };
 }

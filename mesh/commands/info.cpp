@@ -131,6 +131,7 @@ counted if one of the options names them.
                    "requad-edit info mesh/examples/figure-17.obj --feature-angle 40 --list --json -"},
       .options = std::move(options),
       .words = {1, 1},
+      .files = {0},
       .run = info,
   };
 }

@@ -15,6 +15,7 @@ program::Command merge_command() {
                    "requad-edit merge digon.obj 1 9 -o merged.obj"},
       .options = editing_options(),
       .words = {3, 3},
+      .files = {0},
       .run = [](const program::Options& options) { return edit_pair(options, "merge", mesh::merge_pair); },
   };
 }

@@ -49,6 +49,7 @@ program::Command move_command() {
       .options = editing_options({program::value(
           "step", "NAME", "the move, by its name in `requad-edit moves`, or by its step: the first\nlegal one")}),
       .words = {2, 3},
+      .files = {0},
       .run = move,
   };
 }

@@ -82,6 +82,7 @@ adds the numbers of the two vertices before and after each move.
                    "requad-edit moves mesh/examples/figure-18.obj 222 360 --feature-angle 40"},
       .options = input_and_seam_options(),
       .words = {2, 3},
+      .files = {0},
       .run = moves,
   };
 }

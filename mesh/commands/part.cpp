@@ -41,6 +41,7 @@ operation is made at V.
                    "requad-edit merge digon.obj 1 9 -o merged.obj && requad-edit part merged.obj -o parted.obj"},
       .options = editing_options(),
       .words = {1, 2},
+      .files = {0},
       .run = part,
   };
 }

@@ -115,6 +115,7 @@ cancelled.
           program::value("final-smooth", "N", "smooth the whole mesh N times at the end"),
       }),
       .words = {1, 1},
+      .files = {0},
       .run = reduce,
   };
 }

@@ -21,7 +21,8 @@ std::vector<program::Option> editing_options(std::vector<program::Option> own) {
            output_option(),
            program::output("script", "FILE", "write the edits as text, for `requad-edit apply`"),
            program::output("map", "FILE",
-                           "write where each vertex and face is now, as JSON; see `requad-edit apply --help`"),
+                           "write where each vertex and face is now, as JSON; see `requad-edit apply --help`",
+                           {{"json", {"json"}}}),
            program::value("smooth", "N",
                           "smooth N times around what changed, projected on the surface of IN (default 4)"),
        })
@@ -31,11 +32,6 @@ std::vector<program::Option> editing_options(std::vector<program::Option> own) {
 }
 
 namespace {
-
-mesh::Surface read_first(const Options& options) {
-  wants_features(options);  // throws before the file is read
-  return read_input(options);
-}
 
 // The text of the map that --map asks for. Elements have their numbers in the files, counted from 1.
 std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
@@ -65,7 +61,7 @@ std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
 }  // namespace
 
 Session::Session(const Options& options, const std::string& command)
-    : Session(options, command, read_first(options), true) {}
+    : Session(options, command, read_input(options), true) {}
 
 Session::Session(const Options& options, std::string command, mesh::Surface input, bool seams)
     : options_(options),
@@ -93,7 +89,8 @@ mesh::VertexId Session::vertex(const std::string& word) const {
   const std::int64_t number = program::parse_integer(word, "a vertex");
   const auto last = static_cast<std::int64_t>(input_.from_file.size());
   if (number < 1 || number > last) {
-    throw UsageError(command_ + ": there is no vertex " + word + "; expected 1.." + std::to_string(last));
+    throw UsageError(command_ + ": there is no vertex " + word + "; expected 1.." + std::to_string(last) +
+                     ", for vertices are counted from 1");
   }
   const mesh::VertexId v(input_.from_file[static_cast<std::size_t>(number) - 1]);
   if (!v.valid()) throw UsageError(command_ + ": vertex " + word + " belongs to no face");

@@ -28,7 +28,6 @@ using program::Options;
 
 int smooth(const Options& options) {
   const std::string output = output_path(options, "smooth");
-  wants_features(options);
   mesh::SmoothingOptions how;
   const auto iterations = static_cast<int>(options.integer("iterations", 10, 0, 1'000'000));
   how.iterations = 1;  // one at a time, so that progress can be shown
@@ -133,6 +132,7 @@ is not taken.
                    "requad-edit smooth mesh/examples/figure-17.obj --feature-angle 40 --weights chord -o smooth.obj"},
       .options = std::move(options),
       .words = {1, 1},
+      .files = {0},
       .run = smooth,
   };
 }

@@ -39,6 +39,7 @@ follow them, then the middles of the faces. Vertices in no face are written too.
       .examples = {"requad-edit subdivide mesh/examples/figure-18.obj -o fine.obj"},
       .options = {output_option(), program::flag("weld", "join vertices of IN that are at the same place")},
       .words = {1, 1},
+      .files = {0},
       .run = subdivide,
   };
 }

@@ -111,7 +111,7 @@ FeatureEdges parse_feature_edges(std::string_view text, const std::string& name,
 }
 
 FeatureEdges read_feature_edges(const std::string& path, const Surface& surface) {
-  return parse_feature_edges(read_text(path), path, surface);
+  return parse_feature_edges(read_text(path), name_in_messages(path), surface);
 }
 
 FeatureEdges texture_seams(const Surface& surface) {

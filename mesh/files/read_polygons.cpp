@@ -29,6 +29,14 @@ bool ends_in(std::string_view text, std::string_view ending) {
                     [](char c, char lower) { return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower); });
 }
 
+// Whether the text starts as OFF does: with its keyword, or with a number. Lines of OBJ start with letters.
+bool starts_as_off(std::string_view text) {
+  TextScanner scanner("", text);
+  if (scanner.at_end_of_line() && !scanner.next_line()) return false;
+  const std::string_view word = scanner.word();
+  return is_off_keyword(word) || (word.front() >= '0' && word.front() <= '9');
+}
+
 }  // namespace
 
 PolygonMesh finished(PolygonMesh m, const TextScanner& scanner) {
@@ -50,10 +58,11 @@ PolygonMesh finished(PolygonMesh m, const TextScanner& scanner) {
 }
 
 PolygonMesh read_polygon_mesh(const std::string& path) {
-  const bool off = ends_in(path, ".off");
-  if (!off && !ends_in(path, ".obj")) throw FileError(path + ": expected a name that ends in .obj or .off");
-  const std::string text = read_text(path);
-  return off ? parse_off(text, path) : parse_obj(text, path);
+  const bool off = ends_in(path, ".off"), obj = ends_in(path, ".obj");
+  const bool has_end = path.find('.', path.find_last_of('/') + 1) != std::string::npos;
+  if (!off && !obj && (has_end || path.empty())) throw FileError(path + ": expected a name that ends in .obj or .off");
+  const std::string text = read_text(path), name = name_in_messages(path);
+  return off || (!obj && starts_as_off(text)) ? parse_off(text, name) : parse_obj(text, name);
 }
 
 }  // namespace requad::mesh

@@ -10,8 +10,8 @@
 //         a line. So a text is read in up to four ways (read_off.cpp), and the first that takes every word is right. A
 //         refusal is that of the first way: a vertex a line, and colours up to the line's end. Binary OFF is refused.
 //   Both  A number that is too small for a double is 0.
-// The end of the file's name says which format it is, and the first word must agree. text_scanner.hpp says what lines,
-// words and comments are.
+// The end of the file's name says which format it is, and the first word must agree. Of a name without such an end, and
+// of standard input, the first word decides. text_scanner.hpp says what lines, words and comments are.
 //
 // Laws
 //   files-1  Vertices and faces come in the file's order, and the corners of a face in its line's order.
@@ -31,7 +31,7 @@
 
 namespace requad::mesh {
 
-// By the end of the name, .obj or .off in any case.
+// By the end of the name, .obj or .off in any case, or by the first word. "-" is standard input.
 PolygonMesh read_polygon_mesh(const std::string& path);
 // The same for a text in memory; `name` stands for the file in messages.
 PolygonMesh parse_obj(std::string_view text, const std::string& name);

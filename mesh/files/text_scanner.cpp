@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <new>
 
 #include "mesh/geometry/measures.hpp"
@@ -196,11 +197,16 @@ void refuse_known_binaries(std::string_view start, Fail&& fail) {
 }  // namespace
 
 std::string read_text(const std::string& path) {
-  const auto fail = [&path](const std::string& why) { throw FileError(path + ": cannot be read: " + why); };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail(std::strerror(errno));
+  const std::string name = name_in_messages(path);
+  const auto fail = [&name](const std::string& why) { throw FileError(name + ": cannot be read: " + why); };
+  std::ifstream file;
+  if (path != "-") {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
+    file.open(path, std::ios::binary);
+    if (!file) fail(std::strerror(errno));
+  }
+  std::istream& in = path == "-" ? std::cin : file;
   // The text is read in pieces, because a pipe does not know its size and may have no end.
   std::string text;
   constexpr std::size_t kLargestText = std::size_t{1} << 31;  // over thirty million quads
@@ -223,5 +229,7 @@ std::string read_text(const std::string& path) {
   }
   return text;
 }
+
+std::string name_in_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 }  // namespace requad::mesh

@@ -64,8 +64,10 @@ class TextScanner {
   int line_ = 1;
 };
 
-// The content of a text file or pipe: at most 2 GiB without a zero byte. Throws FileError
+// The content of a text file or pipe, or of standard input for "-": at most 2 GiB without a zero byte. Throws FileError
 // "path: cannot be read: reason". Of a pipe that has no end, or no text, no more is read than shows that.
 std::string read_text(const std::string& path);
+// How messages call the file: "standard input" for "-", else the path.
+std::string name_in_messages(const std::string& path);
 
 }  // namespace requad::mesh

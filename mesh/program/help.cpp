@@ -1,8 +1,8 @@
 // Help texts, laid out from the table of commands.
 
 #include <algorithm>
-#include <sstream>
 
+#include "mesh/program/layout.hpp"
 #include "mesh/program/program.hpp"
 
 namespace requad::program {
@@ -11,31 +11,6 @@ namespace {
 
 constexpr std::size_t kWidth = 80;
 constexpr std::size_t kWidestLeft = 24;  // what is longer has a line of its own
-
-std::string blanks(std::size_t count) { return std::string(count, ' '); }
-
-// The text in lines of at most kWidth characters, each after `indent` blanks. A line of the text that starts with
-// blanks is an entry of a list, "  name  meaning". The lines that it is broken into start below the meaning, or below
-// the name if there is no meaning.
-std::vector<std::string> wrapped(const std::string& text, std::size_t indent) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string entry; std::getline(in, entry);) {
-    std::size_t hanging = std::min(entry.find_first_not_of(' '), entry.size());
-    if (const std::size_t gap = entry.find("  ", hanging); hanging > 0 && gap != std::string::npos)
-      hanging = entry.find_first_not_of(' ', gap);
-    std::string rest = blanks(indent) + entry;
-    const std::string margin = blanks(indent + hanging);
-    while (rest.size() > kWidth) {
-      const std::size_t space = rest.rfind(' ', kWidth);
-      if (space == std::string::npos || space < margin.size()) break;  // one word is wider than a line
-      lines.push_back(rest.substr(0, space));
-      rest = margin + rest.substr(space + 1);
-    }
-    lines.push_back(rest);
-  }
-  return lines;
-}
 
 // "-o, --output FILE".
 std::string left_column(const Option& option) {
@@ -54,7 +29,7 @@ std::string options_text(const std::vector<Option>& options) {
   std::string text;
   for (const Option& option : options) {
     const std::string left = "  " + left_column(option);
-    std::vector<std::string> lines = wrapped(option.meaning, indent);
+    std::vector<std::string> lines = wrapped(option.meaning, indent, kWidth);
     if (left.size() + 2 <= indent && !lines.empty()) {
       lines.front().replace(0, left.size(), left);
     } else {
@@ -85,7 +60,7 @@ std::string examples_text(const std::vector<std::string>& examples) {
 // A sentence, broken into lines.
 std::string sentence(const std::string& text) {
   std::string broken;
-  for (const std::string& line : wrapped(text, 0)) broken += line + "\n";
+  for (const std::string& line : wrapped(text, 0, kWidth)) broken += line + "\n";
   return broken;
 }
 
@@ -110,7 +85,7 @@ std::string program_help(const Program& program) {
       examples.insert(examples.end(), command.examples.begin(), command.examples.end());
     } else {
       commands += usage_text(program, command);
-      for (const std::string& line : wrapped(command.summary, 6)) commands += line + "\n";
+      for (const std::string& line : wrapped(command.summary, 6, kWidth)) commands += line + "\n";
       if (!command.examples.empty()) examples.push_back(command.examples.front());
     }
   }

@@ -45,12 +45,16 @@ std::vector<std::int64_t> parse_integers(std::string_view text, std::string_view
 }
 
 Range parse_range(std::string_view text, std::string_view what) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string_view::npos) {
+  std::size_t end = text.find(".."), next = end + 2;
+  if (end == std::string_view::npos && text.size() > 1) {  // a sign may come first
+    end = text.find('-', 1);
+    next = end + 1;
+  }
+  if (end == std::string_view::npos) {
     const std::int64_t only = parse_integer(text, what);
     return {only, only};
   }
-  const Range range{parse_integer(text.substr(0, dots), what), parse_integer(text.substr(dots + 2), what)};
+  const Range range{parse_integer(text.substr(0, end), what), parse_integer(text.substr(next), what)};
   if (range.first > range.last) {
     throw UsageError(std::string(what) + ": " + std::string(text) +
                      " is empty; expected FIRST..LAST with FIRST <= LAST");

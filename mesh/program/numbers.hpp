@@ -19,7 +19,7 @@ struct Range {
   std::int64_t first;
   std::int64_t last;
 };
-// "3..24", or "7" for 7..7.
+// "3..24", or "3-24", which is not mistaken for a difference; "7" for 7..7.
 Range parse_range(std::string_view text, std::string_view what);
 
 }  // namespace requad::program

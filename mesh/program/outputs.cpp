@@ -163,6 +163,11 @@ std::string require_writable(const std::string& path) {
   return target.identity();
 }
 
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
+}
+
 void require_folder(const std::string& path) {
   if (path.empty()) throw UsageError("a folder's name is expected, not nothing");
   // The innermost folder on the path that exists.

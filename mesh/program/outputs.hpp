@@ -43,4 +43,7 @@ std::string require_writable(const std::string& path);
 // The same for a folder, which exists or is to be made.
 void require_folder(const std::string& path);
 
+// Whether both paths lead to one regular file that exists, by links of either kind or otherwise.
+bool is_same_file(const std::string& a, const std::string& b);
+
 }  // namespace requad::program

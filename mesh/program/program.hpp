@@ -31,6 +31,7 @@ struct Command {
     std::size_t least, most;
   };
   WordCount words = {0, 0};
+  std::vector<std::size_t> files = {};  // which of these words name files to read, or "-" for standard input
   // Whether run_program() calls Options::require_outputs(). If not, run() does when it can.
   bool outputs_are_known = true;
   std::function<int(const Options&)> run;  // returns an exit code, or throws UsageError
@@ -54,8 +55,8 @@ std::string program_help(const Program& program);
 // The help of one command: its options and all its examples.
 std::string command_help(const Program& program, const Command& command);
 
-// The end of a command: commits the outputs, with the JSON where --json asks for it. Then prints the text, unless
-// standard output is taken or --quiet is given. Throws UsageError.
+// The end of a command: commits the outputs, with the JSON where --json asks for it. Then prints the text, fitted to
+// the width of the terminal (layout.hpp), unless standard output is taken or --quiet is given. Throws UsageError.
 void finish(const Options& options, const std::string& json, const std::string& text, Outputs outputs = {});
 
 }  // namespace requad::program

@@ -19,6 +19,7 @@ using namespace requad;
 using tests::call;
 using tests::Outcome;
 using tests::scratch;
+using tests::shell;
 using tests::slurp;
 using tests::spill;
 namespace fs = std::filesystem;
@@ -30,12 +31,6 @@ const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 std::string memory(int kibibytes) { return tests::kSanitized ? "" : "ulimit -v " + std::to_string(kibibytes) + "; "; }
 
 std::string path_of(const std::string& program) { return "'" REQUAD_PROGRAM_DIR "/requad-" + program + "'"; }
-
-// Runs a shell script that calls programs. Its exit code is that of the last program.
-Outcome shell(const std::string& script) {
-  spill(scratch() / "script", script);
-  return call("edit", "--version >/dev/null; timeout 100 bash script");
-}
 
 std::set<std::string> files() {
   std::set<std::string> names;
@@ -223,8 +218,8 @@ TEST_CASE("if an output cannot be written, the old file stays", "[hostile]") {
   refused(shell(path_of("edit") + " info in.obj >/dev/full"), before, {"standard output"});
   CHECK(fs::is_character_file("/dev/full"));
   // Two outputs cannot go to one file, even by two names of it. They can go to a device.
-  refused(shell(edit + "out.obj --json out.obj"), before, {"two outputs cannot both go to out.obj"});
-  refused(shell(edit + "out.obj --json ./out.obj"), before, {"two outputs cannot both go to out.obj"});
+  refused(shell(edit + "out --json out"), before, {"two outputs cannot both go to out"});
+  refused(shell(edit + "out --json ./out"), before, {"two outputs cannot both go to out"});
   refused(shell(edit + "''"), before, {"a file's name is expected"});
   CHECK(shell(edit + "/dev/null --json /dev/null").code == 0);
   CHECK(shell(edit + "nowhere/out.obj --help").code == 0);

@@ -32,6 +32,11 @@ Outcome call(const std::string& program, const std::string& arguments) {
   return outcome;
 }
 
+Outcome shell(const std::string& script) {
+  spill(scratch() / "script", "export PATH='" REQUAD_PROGRAM_DIR "':\"$PATH\"; " + script + "\n");
+  return call("edit", "--version >/dev/null; timeout 100 bash script");
+}
+
 bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,
                     std::size_t lines) {
   const std::string command =

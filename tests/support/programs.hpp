@@ -17,6 +17,10 @@ struct Outcome {
 // Runs requad-PROGRAM in the folder scratch(). A shell splits the arguments.
 Outcome call(const std::string& program, const std::string& arguments);
 
+// Runs a bash script in scratch() that finds the programs by their names. Its exit code is that of its last command. The
+// script is in scratch()/script.
+Outcome shell(const std::string& script);
+
 // Starts the program likewise, and kills it (SIGKILL) as soon as this file in scratch() has this many lines. Returns
 // whether the program was killed: false if it ended earlier.
 bool killed_at_line(const std::string& program, const std::string& arguments, const std::string& file,

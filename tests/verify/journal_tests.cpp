@@ -189,7 +189,7 @@ TEST_CASE("a run that was killed continues where it stopped", "[journal]") {
   CHECK(without_seconds(slurp(scratch() / "again.json")) == expected);
 
   // Another run's journal is refused in one line.
-  const Outcome other = call("verify", kRun + "--method walk --journal killed.journal");
+  const Outcome other = call("verify", kRun + "--method moves --journal killed.journal");
   CHECK(other.code == 2);
   CHECK(line_count(other.err) == 1);
   CHECK(other.err.find("line 1: it belongs to another run: requad-verify 0.1.0 (build ") != std::string::npos);

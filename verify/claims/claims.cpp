@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include "mesh/program/errors.hpp"
 #include "verify/claims/judging.hpp"
 #include "verify/claims/table.hpp"
@@ -75,7 +77,8 @@ Judgement Claim::judge_safely(const Study& study) const {
 }
 
 const Claim* find_claim(const std::string& id) {
-  const auto it = std::find_if(claims().begin(), claims().end(), [&id](const Claim& c) { return c.id == id; });
+  const auto it = std::find_if(claims().begin(), claims().end(),
+                               [&id](const Claim& c) { return boost::algorithm::iequals(c.id, id); });
   return it == claims().end() ? nullptr : &*it;
 }
 

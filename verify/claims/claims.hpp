@@ -58,7 +58,7 @@ struct Claim {
 
 // In the ledger's order.
 const std::vector<Claim>& claims();
-// The claim with this id; null if there is none.
+// The claim with this id, in upper or lower case; null if there is none.
 const Claim* find_claim(const std::string& id);
 
 // The verdict of a claim for one region.

@@ -8,11 +8,11 @@
 
 #include "mesh/files/write_obj.hpp"
 #include "mesh/program/journal_file.hpp"
+#include "mesh/program/suggestion.hpp"
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"
 #include "verify/commands/commands.hpp"
 #include "verify/report.hpp"
-#include "verify/sentences.hpp"
 
 namespace requad::verify {
 
@@ -31,37 +31,68 @@ std::set<Method> methods_of(const Options& options) {
   return methods;
 }
 
+bool meets(const std::set<Method>& a, const std::set<Method>& b) {
+  return std::any_of(a.begin(), a.end(), [&b](Method method) { return b.count(method) > 0; });
+}
+
 // The claims of --claim; without it all claims that can use one of the methods.
-std::vector<const Claim*> select(const Options& options, const std::set<Method>& methods) {
-  std::vector<const Claim*> selected;
-  if (!options.has("claim")) {
-    for (const Claim& claim : claims()) {
-      if (std::any_of(claim.methods.begin(), claim.methods.end(), [&](Method m) { return methods.count(m) > 0; }))
-        selected.push_back(&claim);
-    }
-    return selected;
-  }
-  for (const std::string& id : options.list("claim")) {
-    const Claim* const claim = find_claim(id);
-    if (claim == nullptr) throw UsageError("--claim: '" + id + "' is not a claim; see --list");
-    if (std::find(selected.begin(), selected.end(), claim) == selected.end()) selected.push_back(claim);
-  }
+std::vector<const Claim*> selected_claims(const Options& options, const std::set<Method>& methods) {
+  std::vector<const Claim*> selected = named_claims(options);
+  if (!options.has("claim"))
+    std::erase_if(selected, [&methods](const Claim* claim) { return !meets(claim->methods, methods); });
   return selected;
 }
 
-// Prints the proofs of these claims step by step. Exit code: kDone if all go through, kUndecided if there is none.
-int print_proofs(const std::vector<const Claim*>& claims) {
-  int code = program::kUndecided;
-  for (const Claim* claim : claims) {
-    const auto proof = theory::proof_of(claim->id);
-    if (!proof) continue;
-    std::cout << (code == program::kUndecided ? "" : "\n") << proof_text(*proof);
-    if (code == program::kUndecided || !proof->proved())
-      code = proof->proved() ? program::kDone : program::kCheckFailed;
-  }
-  if (code == program::kUndecided) std::cout << "no proof for all sizes: instances only\n";
-  return code;
+std::set<Family> families_of(const std::vector<const Claim*>& claims) {
+  std::set<Family> families;
+  for (const Claim* claim : claims) families.insert(claim->families.begin(), claim->families.end());
+  return families;
 }
+
+// --- options that have no effect -------------------------------------------------------------------------------------
+
+std::string names_of(const std::set<Method>& methods) {
+  std::string names;
+  for (const Method method : methods) names += (names.empty() ? "" : ", ") + std::string(name(method));
+  return names;
+}
+
+// Every claim that is named can use one of the methods.
+std::string unused_claim(const Options& options) {
+  const std::set<Method> methods = methods_of(options);
+  for (const Claim* claim : selected_claims(options, methods)) {
+    if (!meets(claim->methods, methods))
+      return "--claim " + claim->id + " has no effect: its check uses " + names_of(claim->methods);
+  }
+  return "";
+}
+
+// Every method that is named is used by one of the claims.
+std::string unused_method(const Options& options) {
+  const std::set<Method> methods = methods_of(options);
+  std::set<Method> used;
+  for (const Claim* claim : selected_claims(options, methods))
+    used.insert(claim->methods.begin(), claim->methods.end());
+  for (const Method method : methods) {
+    if (used.count(method) == 0)
+      return std::string("--method ") + name(method) + " has no effect: the checks of these claims use " +
+             names_of(used);
+  }
+  return "";
+}
+
+// An option that is about regions of these families: one of the claims is about such regions.
+program::Option about(program::Option option, std::set<Family> families) {
+  const std::string name = "--" + option.long_name();
+  return program::only_if(std::move(option), [name, families = std::move(families)](const Options& options) {
+    for (const Family family : families_of(selected_claims(options, methods_of(options)))) {
+      if (families.count(family) > 0) return std::string();
+    }
+    return name + " has no effect: these claims are not about such regions";
+  });
+}
+
+// --- the run ---------------------------------------------------------------------------------------------------------
 
 // Writes each violating mesh to a file that is named after its claim.
 void write_violations(const CampaignResult& result, const std::string& folder) {
@@ -74,13 +105,6 @@ void write_violations(const CampaignResult& result, const std::string& folder) {
     } catch (const UsageError& error) {
       std::cerr << "requad-verify: " << error.what() << '\n';  // the exit code is that of the claim
     }
-  }
-}
-
-void print_claims() {
-  for (const Claim& c : claims()) {
-    std::cout << c.id << "  " << c.statement << " [" << c.where << "]\n     compares: " << c.compares
-              << "\n     fails if: " << c.fails_if << "\n";
   }
 }
 
@@ -134,29 +158,14 @@ int exit_code(const CampaignResult& result) {
 }
 
 int campaign(const Options& options, Processes& processes) {
-  const bool prints_only = options.has("list") || options.has("proofs") || options.has("sentences");
-  if (!processes.leads() && prints_only) return program::kDone;
-  if (options.has("list")) {
-    options.allow_only("--list", {"list"});
-    print_claims();
-    return program::kDone;
-  }
-  if (options.has("sentences")) {
-    options.allow_only("--sentences", {"sentences"});
-    std::cout << sentences_text();
-    return program::kDone;
-  }
-  if (options.has("proofs")) options.allow_only("--proofs", {"proofs", "claim"});
   const std::set<Method> methods = methods_of(options);
-  const std::vector<const Claim*> selected = select(options, methods);
-  if (options.has("proofs")) return print_proofs(selected);
+  const std::vector<const Claim*> selected = selected_claims(options, methods);
   const std::string failures = options.text("failures", ".");
   std::error_code unknown;
   if (!std::filesystem::is_directory(failures, unknown))
     throw UsageError("--failures: " + failures + " is not a folder");
   const Ranges ranges = ranges_of(options, methods);
-  std::set<Family> families;
-  for (const Claim* claim : selected) families.insert(claim->families.begin(), claim->families.end());
+  const std::set<Family> families = families_of(selected);
   const std::vector<RegionCase> cases = list_cases(ranges, families);
   if (!processes.leads()) {
     processes.work([&](std::size_t i) { return run_case(cases[i], selected, methods); });
@@ -184,6 +193,23 @@ int campaign(const Options& options, Processes& processes) {
 
 }  // namespace
 
+std::vector<const Claim*> named_claims(const Options& options) {
+  std::vector<const Claim*> named;
+  if (!options.has("claim")) {
+    for (const Claim& claim : claims()) named.push_back(&claim);
+  }
+  for (const std::string& id : options.list("claim")) {
+    const Claim* const claim = find_claim(id);
+    if (claim == nullptr) {
+      std::vector<std::string> ids;
+      for (const Claim& known : claims()) ids.push_back(known.id);
+      throw UsageError("--claim: '" + id + "' is not a claim" + program::did_you_mean(id, ids) + "; see --list");
+    }
+    if (std::find(named.begin(), named.end(), claim) == named.end()) named.push_back(claim);
+  }
+  return named;
+}
+
 program::Command campaign_command(Processes& processes) {
   return {
       .name = "",
@@ -194,7 +220,7 @@ program::Command campaign_command(Processes& processes) {
           {
               "requad-verify",
               "requad-verify --claim T2 --digon 3..30",
-              "requad-verify --claim T2 --certificate proof && requad-verify check proof",
+              "requad-verify --claim T2 --certificate proof",
               "requad-verify --claim T4 --claim N1 --quad-perimeter 10..30 --json report.json",
               "requad-verify --claim T2 --method walk --digon 300",
               "requad-verify --hexagon 3..15 --journal run.journal --json report.json",
@@ -204,35 +230,39 @@ program::Command campaign_command(Processes& processes) {
           },
       .options =
           {
-              program::list("claim", "ID", "check this claim only; may be repeated (default: all; --list names them)"),
-              program::value("digon", "A..B", "side lengths of regular digons with a 3-3 pair (default 3..24)"),
-              program::value("hexagon", "A..B", "side lengths of regular hexagons with a 5-5 pair (default 3..12)"),
-              program::value("quad-perimeter", "A..B",
-                             "perimeters of convex regions with a 3-5 pair, all sides (default 8..24)"),
-              program::value("other-perimeter", "A..B",
-                             "perimeters of non-regular digons and hexagons, all sides (default 4..24)"),
-              program::list("method", "NAME",
-                            "how configurations are found; may be repeated (default: all three)\n"
-                            "  moves   every pair move from one configuration on, until nothing is new\n"
-                            "  search  every filling of the boundary, without any theorem\n"
-                            "  walk    all configurations are visited on one mesh and identified by their "
-                            "separatrices; alone, for digons up to side 2000 and hexagons up to 1000"),
-              program::value("journal", "FILE",
-                             "keep the result of each region in FILE; if a run was killed, the same command "
-                             "continues where it stopped"),
-              program::value("failures", "DIR", "write the mesh of a violation as OBJ into DIR (default .)"),
-              program::value("certificate", "DIR",
-                             "write every configuration, every edge with its script, and the counts into DIR, for "
-                             "`requad-verify check`"),
-              program::output("html", "FILE|-", "write the report as one HTML page that needs no other file"),
-              program::flag(
-                  "list", "print the claims, with what each check compares and what makes it fail, and check nothing"),
-              program::flag("sentences",
-                            "print the sentences of the paper that no check can decide, with the reasons, and check "
-                            "nothing"),
-              program::flag("proofs",
-                            "print the proofs for all sizes, step by step, of the claims that linear algebra decides, "
-                            "and check no region"),
+              program::only_if(
+                  program::list("claim", "ID",
+                                "check this claim only; may be repeated (default: all; --list names them)"),
+                  unused_claim),
+              about(program::value("digon", "A..B", "side lengths of regular digons with a 3-3 pair (default 3..24)"),
+                    {Family::regular_digon}),
+              about(
+                  program::value("hexagon", "A..B", "side lengths of regular hexagons with a 5-5 pair (default 3..12)"),
+                  {Family::regular_hexagon}),
+              about(program::value("quad-perimeter", "A..B",
+                                   "perimeters of convex regions with a 3-5 pair, all sides (default 8..24)"),
+                    {Family::quad}),
+              about(program::value("other-perimeter", "A..B",
+                                   "perimeters of non-regular digons and hexagons, all sides, and of regions without a "
+                                   "pair (default 4..24)"),
+                    {Family::other_digon, Family::other_hexagon, Family::single_vertex, Family::three_vertices}),
+              program::only_if(
+                  program::list("method", "NAME",
+                                "how configurations are found; may be repeated (default: all three)\n"
+                                "  moves   every pair move from one configuration on, until nothing is new\n"
+                                "  search  every filling of the boundary, without any theorem\n"
+                                "  walk    all configurations are visited on one mesh and identified by their "
+                                "separatrices; alone, for digons up to side 2000 and hexagons up to 1000"),
+                  unused_method),
+              program::journal("keep the result of each region in FILE; if a run was killed, the same command "
+                               "continues where it stopped"),
+              program::folder("failures", "DIR", "write the mesh of a violation as OBJ into DIR (default .)"),
+              about(program::folder("certificate", "DIR",
+                                    "write every configuration, every edge with its script, and the counts into DIR, "
+                                    "for `requad-verify check`"),
+                    certified_families()),
+              program::output("html", "FILE|-", "write the report as one HTML page that needs no other file",
+                              {{"html", {"html", "htm"}}}),
           },
       .outputs_are_known = false,
       .run = [&processes](const Options& options) { return campaign(options, processes); },

@@ -17,7 +17,7 @@ int check(const std::string& folder, const char* self) {
   const std::string checker =
       ((error ? std::filesystem::path(self) : running).parent_path() / "requad-verify-check").string();
   program::restore_signals();
-  execl(checker.c_str(), checker.c_str(), folder.c_str(), static_cast<char*>(nullptr));
+  execlp(checker.c_str(), checker.c_str(), folder.c_str(), static_cast<char*>(nullptr));
   throw program::UsageError("check: " + checker + " cannot be started");
 }
 

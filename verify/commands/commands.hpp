@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/program/program.hpp"
+#include "verify/claims/claims.hpp"
 #include "verify/commands/processes.hpp"
 
 namespace requad::verify {
@@ -11,5 +12,14 @@ program::Command campaign_command(Processes& processes);
 // check: starts requad-verify-check, which is in the same folder as this program and shares no code with it. `self` is
 // the name by which this program was called.
 program::Command check_command(const Processes& processes, const char* self);
+
+// --list, --proofs and --sentences: they print what is known without any check.
+program::Command list_command();
+program::Command proofs_command();
+program::Command sentences_command();
+
+// The claims that --claim names, each once and in their order on the command line; all if it names none. Throws
+// UsageError for what is no claim.
+std::vector<const Claim*> named_claims(const program::Options& options);
 
 }  // namespace requad::verify

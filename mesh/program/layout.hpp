@@ -1,0 +1,23 @@
+// Text laid out in lines that are not too wide.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace requad::program {
+
+// How wide a line on standard output should be at the most: what the environment variable COLUMNS says, else the width
+// of the terminal, else 80; never less than 40.
+std::size_t text_width();
+
+// The text in lines of at most `width` characters, each after `indent` blanks. A word that is wider stays where it
+// is. A line of the text that starts with blanks is an entry of a list, "  name  meaning". The lines that it is broken
+// into start below the meaning, or below the name if there is no meaning.
+std::vector<std::string> wrapped(const std::string& text, std::size_t indent, std::size_t width);
+
+// The text with every line that is wider than text_width() broken at blanks. Its further lines are indented by
+// `hanging` more blanks than the line itself.
+std::string fitted(const std::string& text, std::size_t hanging = 4);
+
+}  // namespace requad::program
