@@ -93,9 +93,7 @@ std::optional<Erratum> three_without_room() {
   return std::nullopt;
 }
 
-}  // namespace
-
-std::vector<Erratum> find_errata() {
+std::vector<Erratum> search_errata() {
   std::vector<Erratum> found;
   const auto add = [&found](std::optional<Erratum> erratum) {
     if (erratum) found.push_back(std::move(*erratum));
@@ -175,6 +173,13 @@ std::vector<Erratum> find_errata() {
                      }));
   add(pipeline_from_the_v3());
   add(three_without_room());
+  return found;
+}
+
+}  // namespace
+
+const std::vector<Erratum>& find_errata() {
+  static const std::vector<Erratum> found = search_errata();
   return found;
 }
 

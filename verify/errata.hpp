@@ -15,7 +15,8 @@ struct Erratum {
   std::string instance;  // the region that shows it
 };
 
-// Looks for each slip in regions of increasing size. Lists the slips for which a region is found.
-std::vector<Erratum> find_errata();
+// The slips for which a region is found. Looks for each in regions of increasing size, once: the first call takes about
+// a second.
+const std::vector<Erratum>& find_errata();
 
 }  // namespace requad::verify

@@ -13,6 +13,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/mesh/regions.hpp"
+#include "tests/support/sanitizers.hpp"
 
 using namespace requad;
 using namespace requad::mesh;
@@ -226,7 +227,7 @@ TEST_CASE("every atomic operation does what the table says, and its inverse rest
   AtomicTally tally;
   int regions = 0;
   for (int valence = 2; valence <= 9; ++valence, ++regions) check_everywhere(neighbourhood(valence), tally);
-  for (const tests::SmallRegion& entry : tests::small_regions(16, true)) {
+  for (const tests::SmallRegion& entry : tests::small_regions(tests::kSanitized ? 12 : 16, true)) {
     check_everywhere(entry.region, tally);
     ++regions;
   }

@@ -10,6 +10,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "verify/report.hpp"
 
 using namespace requad;
@@ -46,7 +47,9 @@ std::string refusal(const std::string& path, const std::string& run, std::size_t
 
 // The arguments of a run that is slow enough to be killed.
 const std::string kRun =
-    "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
+    tests::kSanitized
+        ? "--claim T2 --claim T4 --claim M1 --digon 3..11 --quad-perimeter 8..14 --other-perimeter 4..10 --quiet "
+        : "--claim T2 --claim T4 --claim M1 --digon 3..16 --quad-perimeter 8..16 --other-perimeter 4..12 --quiet ";
 
 }  // namespace
 
@@ -226,12 +229,13 @@ TEST_CASE("a full disk ends a run with a journal, and another run continues it",
 }
 
 TEST_CASE("the walk alone verifies regions far beyond the reach of moves and search", "[journal]") {
-  const Outcome made =
-      call("verify", "--claim T2 --claim T3 --method walk --digon 150 --hexagon 41 --other-perimeter 4 --json -");
+  const int n = tests::kSanitized ? 30 : 75, m = tests::kSanitized ? 10 : 20;
+  const Outcome made = call("verify", "--claim T2 --claim T3 --method walk --digon " + std::to_string(2 * n) +
+                                          " --hexagon " + std::to_string(2 * m + 1) + " --other-perimeter 4 --json -");
   CHECK(made.code == 0);
-  // Theorem 7.2 for L = 150, N = 75: N (N - 1); Theorem 7.3 for L = 41, N = 20: 3 N^2.
-  CHECK(made.out.find("\"walk\":5550") != std::string::npos);
-  CHECK(made.out.find("\"walk\":1200") != std::string::npos);
+  // Theorem 7.2 for L = 2 N: N (N - 1); Theorem 7.3 for L = 2 N + 1: 3 N^2.
+  CHECK(made.out.find("\"walk\":" + std::to_string(n * (n - 1))) != std::string::npos);
+  CHECK(made.out.find("\"walk\":" + std::to_string(3 * m * m)) != std::string::npos);
   CHECK(made.out.find("\"methods\":[\"walk\"]") != std::string::npos);
   CHECK(call("verify", "--claim T2 --digon 150").code == 2);
   CHECK(call("verify", "--claim T2 --method walk --digon 2001").code == 2);

@@ -6,6 +6,7 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/verify/check/tamperings.hpp"
 
 namespace fs = std::filesystem;
@@ -87,6 +88,7 @@ TEST_CASE("each tampering is refused, for its reason", "[tampering]") {
     int times = 0;
     for (const Claimed& claimed : kClaimed) {
       for (const std::string& name : claimed.regions) {
+        if (tests::kSanitized && times > 0) break;  // one region is enough there
         Proof proof = honest(claimed);
         if (!tampering.apply(proof, proof.file(name))) continue;
         ++times;
