@@ -1,5 +1,6 @@
 #include "enumerate/attributed_graph.hpp"
 
+#include <locale>
 #include <sstream>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -21,6 +22,18 @@ BoostGraph boost_graph(const AttributedGraph& graph) {
   }
   return result;
 }
+
+// While one lives, the global locale is the classic one. Boost writes numbers with the global locale.
+class ClassicLocale {
+ public:
+  ClassicLocale() : before_(std::locale::global(std::locale::classic())) {}
+  ~ClassicLocale() { std::locale::global(before_); }
+  ClassicLocale(const ClassicLocale&) = delete;
+  ClassicLocale& operator=(const ClassicLocale&) = delete;
+
+ private:
+  std::locale before_;
+};
 
 template <class Index>
 void add_columns(boost::dynamic_properties& properties, std::map<std::string, AttributedGraph::Column>& columns,
@@ -78,6 +91,7 @@ std::string to_dot(AttributedGraph graph) {
   const BoostGraph structure = boost_graph(graph);
   boost::dynamic_properties properties = attributes(graph, structure);
   properties.property("node_id", make_iterator_property_map(graph.names.begin(), get(boost::vertex_index, structure)));
+  const ClassicLocale classic;
   std::ostringstream out;
   boost::write_graphviz_dp(out, structure, properties);
   return out.str();
@@ -85,6 +99,7 @@ std::string to_dot(AttributedGraph graph) {
 
 std::string to_graphml(AttributedGraph graph) {
   const BoostGraph structure = boost_graph(graph);
+  const ClassicLocale classic;
   std::ostringstream out;
   boost::write_graphml(out, structure, attributes(graph, structure), true);
   return out.str();

@@ -145,15 +145,22 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << '\n';
   }
   out << "\nclaim  verdict     regions    checks  statement\n";
-  constexpr std::size_t kBeforeStatement = 38;  // columns
+  // The columns before the statement. Where too little room is left beside them, the statement begins a new line.
+  constexpr std::size_t kBesideNumbers = 38, kBelowNumbers = 7, kRoom = 30;
+  const bool is_beside = program::text_width() >= kBesideNumbers + kRoom;
   for (const ClaimResult& c : result.claims) {
     std::int64_t checks = 0;
     for (const auto& [family, total] : c.totals) checks += total.checks;
     out << std::left << std::setw(7) << c.claim->id << std::setw(10) << verdict(c) << std::right << std::setw(9)
         << c.instances << std::setw(10) << checks;
     std::vector<std::string> statement =
-        program::wrapped(c.claim->statement + " [" + c.claim->where + "]", kBeforeStatement, program::text_width());
-    statement.front().erase(0, kBeforeStatement - 2);  // the columns before it are written
+        program::wrapped(c.claim->statement + " [" + c.claim->where + "]", is_beside ? kBesideNumbers : kBelowNumbers,
+                         program::text_width());
+    if (is_beside) {
+      statement.front().erase(0, kBesideNumbers - 2);  // the columns before it are written
+    } else {
+      out << '\n';
+    }
     for (const std::string& line : statement) out << line << '\n';
   }
   const char* heading =

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 #include "enumerate/attributed_graph.hpp"
@@ -55,18 +56,19 @@ int graph(const program::Options& options) {
   const theory::Apex apex = options.has("with-apex") ? theory::Apex::with : theory::Apex::without;
   const theory::PairType type = required_pair(options);
   require_moves(type);
+  std::optional<Exploration> found;
   std::function<std::string(const std::string&)> text = [type](const std::string& wanted) {
     return empty_graph_text(type, wanted);
   };
   if (!reports_odd_boundary(options)) {
-    Exploration found = explore_all(required_shape(options), apex);
-    if (apex == theory::Apex::without) report_merged_left_out(found);
-    text = [found = std::move(found), apex](const std::string& wanted) { return graph_text(found, apex, wanted); };
+    found = explore_all(required_shape(options), apex);
+    text = [&found, apex](const std::string& wanted) { return graph_text(*found, apex, wanted); };
   }
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), text("json"));
   if (is_written(options)) outputs.add(options.text("output", "-"), text(options.format().name));
   outputs.commit();
+  if (found && apex == theory::Apex::without) report_merged_left_out(*found);
   return program::kDone;
 }
 

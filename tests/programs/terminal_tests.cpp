@@ -43,7 +43,7 @@ std::size_t widest_line(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("- is standard input and standard output, also through pipes", "[programs][terminal]") {
+TEST_CASE("standard input and standard output are called -, also through pipes", "[programs][terminal]") {
   fs::copy_file(REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj", scratch() / "piped.obj",
                 fs::copy_options::overwrite_existing);
   const std::string by_name = shell("requad-edit info piped.obj").out;
