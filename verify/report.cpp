@@ -138,8 +138,7 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges) {
     out << range_of(family, ranges);
     if (const auto it = result.regions.find(family); it != result.regions.end()) {
       const RegionTotal& total = it->second;
-      out << ": " << total.regions << (total.regions == 1 ? " region, " : " regions, ") << total.searched
-          << " searched";
+      out << ": " << counted(total.regions, "region") << ", " << total.searched << " searched";
       if (total.searched > 0) out << ", " << total.empty << " of these empty";
     }
     out << '\n';

@@ -10,6 +10,7 @@
 #include "enumerate/commands/commands.hpp"
 #include "enumerate/configuration_rows.hpp"
 #include "enumerate/graph_output.hpp"
+#include "mesh/program/layout.hpp"
 
 namespace requad::enumerate {
 
@@ -44,8 +45,8 @@ void report_merged_left_out(const Exploration& found) {
   for (std::size_t i = 0; i < found.nodes.size(); ++i) merged += found.holds_pair(static_cast<int>(i)) ? 0 : 1;
   for (const FoundMove& move : found.moves) moves += move.to >= 0 && !found.holds_pair(move.to) ? 1 : 0;
   if (merged == 0) return;
-  std::cerr << "requad-enumerate: left out: " << merged << (merged == 1 ? " configuration" : " configurations")
-            << " in which the pair is merged, and " << moves << (moves == 1 ? " edge" : " edges")
+  std::cerr << "requad-enumerate: left out: " << program::counted(merged, "configuration")
+            << " in which the pair is merged, and " << program::counted(moves, "edge")
             << " to it; --with-apex adds them\n";
 }
 

@@ -5,6 +5,7 @@
 
 #include "figures/commands/commands.hpp"
 #include "figures/explorer/explorer.hpp"
+#include "mesh/program/layout.hpp"
 #include "theory/counts.hpp"
 
 namespace requad::figures {
@@ -38,10 +39,10 @@ int explorer(const program::Options& options) {
   const auto moves = data["moves"].size();
   const ordered_json summary{
       {"file", path}, {"bytes", page.size()}, {"configurations", nodes}, {"moves", moves}, {"claims", claims}};
-  const std::string text = path + ": " + std::to_string(nodes) +
-                           (nodes == 1 ? " configuration, " : " configurations, ") + std::to_string(moves) +
-                           " moves, " + std::to_string(held) + " of " + std::to_string(claims.size()) +
-                           " claims hold, " + std::to_string((page.size() + 1023) / 1024) + " kB\n";
+  const std::string text = path + ": " + program::counted(static_cast<std::int64_t>(nodes), "configuration") + ", " +
+                           std::to_string(moves) + " moves, " + std::to_string(held) + " of " +
+                           std::to_string(claims.size()) + " claims hold, " +
+                           std::to_string((page.size() + 1023) / 1024) + " kB\n";
   program::Outputs outputs;
   outputs.add(path, page);
   program::finish(options, summary.dump(), text, std::move(outputs));

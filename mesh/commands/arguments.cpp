@@ -80,8 +80,4 @@ void report_left_out(const Options& options, const mesh::Surface& surface) {
             << counted(surface.dropped, "vertex", "vertices") << " in no face, left out\n";
 }
 
-std::string counted(int count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace requad::edit

@@ -6,6 +6,7 @@
 
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/program/layout.hpp"
 #include "mesh/program/options.hpp"
 
 namespace requad::edit {
@@ -41,7 +42,6 @@ std::string output_path(const program::Options& options, const std::string& comm
 // Says on standard error, in one line, how many vertices of the file the result lacks since no face has them.
 void report_left_out(const program::Options& options, const mesh::Surface& surface);
 
-// "1 vertex", "2 vertices".
-std::string counted(int count, const std::string& one, const std::string& many);
+using program::counted;
 
 }  // namespace requad::edit

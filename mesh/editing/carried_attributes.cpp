@@ -231,8 +231,7 @@ class Carrier {
         g = next;
       }
     }
-    const Vector3d unit = sum.stableNormalized();
-    return unit.allFinite() ? unit : Vector3d(Vector3d::Zero());
+    return unit_or_zero(sum);
   }
 
   // --- elements ---

@@ -19,12 +19,12 @@ std::array<Vector3d, 4> corner_positions(const QuadMesh& m, const Positions& pos
 
 Vector3d area_vector(const std::array<Vector3d, 4>& c) { return (c[2] - c[0]).cross(c[3] - c[1]) / 2; }
 
+}  // namespace
+
 Vector3d unit_or_zero(const Vector3d& v) {
   const Vector3d unit = v.stableNormalized();
   return unit.allFinite() ? unit : Vector3d(Vector3d::Zero());
 }
-
-}  // namespace
 
 Vector3d area_vector(const QuadMesh& m, const Positions& positions, FaceId f) {
   return area_vector(corner_positions(m, positions, f));

@@ -35,6 +35,9 @@ inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   });
 }
 
+// The unit vector along v; zero if v is zero or not finite.
+Eigen::Vector3d unit_or_zero(const Eigen::Vector3d& v);
+
 // Measures. O(1), but O(valence) for a vertex. Precondition: the element is live.
 
 Eigen::Vector3d area_vector(const QuadMesh& mesh, const Positions& positions, FaceId f);

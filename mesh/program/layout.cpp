@@ -43,6 +43,10 @@ void add_broken(std::vector<std::string>& lines, const std::string& line, const 
 
 }  // namespace
 
+std::string counted(std::int64_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 std::size_t text_width() {
   std::size_t width = 0;
   if (const char* const columns = std::getenv("COLUMNS"); columns != nullptr)

@@ -1,11 +1,15 @@
-// Text laid out in lines that are not too wide.
+// Text for people: counts of things, and lines that are not too wide.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace requad::program {
+
+// "1 vertex", "2 vertices". Without `many`, the plural of `one` ends in s.
+std::string counted(std::int64_t count, const std::string& one, const std::string& many = "");
 
 // How wide a line on standard output should be at the most: what the environment variable COLUMNS says, else the width
 // of the terminal, else 80; never less than 40.

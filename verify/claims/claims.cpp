@@ -44,10 +44,6 @@ std::string described(const Violation& violation) {
   return (at.empty() ? "" : at + ": ") + violation.what;
 }
 
-std::string counted(std::int64_t number, const std::string& thing) {
-  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
-
 namespace {
 
 template <class Kind>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/program/layout.hpp"
 #include "verify/claims/claims.hpp"
 
 namespace requad::verify {
@@ -40,8 +41,7 @@ Violation at_move(const PairStudy& s, const enumerate::FoundMove& move, std::str
 Violation at_region(const PairStudy& s, std::string what);
 Violation at_region(const VertexStudy& s, std::string what);
 
-// "1 move", "20 moves".
-std::string counted(std::int64_t number, const std::string& thing);
+using program::counted;
 
 // Judges things of one kind. `predicted` is true of each of them; the judgement says of how many it was found to be.
 // problem(x) returns what is wrong with x, or "". violation(x, what) places that. Does not apply where there is nothing
