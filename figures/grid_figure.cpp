@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 
-#include "enumerate/grid_position.hpp"
+#include "enumerate/grid_drawing.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {
@@ -48,44 +46,21 @@ GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
 // Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at
 // two positions become a node and its copy. An edge joins the labellings before and after a move.
 void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const PositionOf& position) {
+  const PairType type = found.shape.type();
   const int grid = static_cast<int>(figure.grids.size());
+  const auto first = static_cast<int>(figure.nodes.size());
   const Configuration& any = found.nodes.at(0).reading.configuration;
-  const Parity parity = !found.shape.type().symmetric()  ? Parity::none
-                        : (any.d1() + any.d2()) % 2 == 0 ? Parity::even
-                                                         : Parity::odd;
+  const Parity parity = !type.symmetric() ? Parity::none : (any.d1() + any.d2()) % 2 == 0 ? Parity::even : Parity::odd;
   figure.grids.push_back({found.shape, parity});
-  std::map<std::pair<long, long>, int> node_at;
-  const auto key = [](Position at) { return std::pair{std::lround(at[0] * 1024), std::lround(at[1] * 1024)}; };
-  const auto add_node = [&](const Configuration& labelling, std::size_t found_node, int same_as) {
-    const auto [it, is_new] = node_at.emplace(key(position(labelling)), static_cast<int>(figure.nodes.size()));
-    if (is_new) {
-      const auto& node = found.nodes[found_node];
-      figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()),
-                              theory::label(found.shape.type(), labelling), position(labelling), grid, same_as,
-                              labelling, node.region, node.reading.frames.at(0).frame, node.signature});
-    }
-    return it->second;
-  };
-  for (std::size_t i = 0; i < found.nodes.size(); ++i) {
-    const Configuration& c = found.nodes[i].reading.configuration;
-    const int node = add_node(c, i, -1);
-    if (found.shape.type().symmetric() && c.degenerate() && !c.merged())
-      add_node(theory::other_labelling(found.shape.type(), c), i, node);
+  const enumerate::GridDrawing drawing = enumerate::grid_drawing(found, position);
+  for (const enumerate::GridSpot& spot : drawing.spots) {
+    const auto& node = found.nodes[static_cast<std::size_t>(spot.node)];
+    figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(type, spot.labelling), spot.at,
+                            grid, spot.same_as < 0 ? -1 : first + spot.same_as, spot.labelling, node.region,
+                            node.reading.frames.at(0).frame, node.signature});
   }
-  // A move and its inverse join the same two positions, so this loop meets every edge twice. If labellings share a
-  // position, two edges may join the same two nodes, or an edge may join a node to itself.
-  std::map<std::pair<int, int>, int> drawn;
-  for (const FoundMove& move : found.moves) {
-    if (move.to < 0) continue;
-    const auto from = node_at.find(key(position(move.before.value())));
-    const auto to = node_at.find(key(position(move.after.value())));
-    if (from == node_at.end() || to == node_at.end()) throw std::logic_error("a move leaves the grid");
-    const std::pair<int, int> ends = std::minmax(from->second, to->second);
-    // Draws one of the two: the move from the node with the lesser number; for a self-loop, the move that comes first.
-    const int met = ++drawn[ends];
-    if (from->second == to->second ? met % 2 == 0 : from->second != ends.first) continue;
-    figure.edges.push_back(edge_of(found.shape.type(), from->second, to->second, move));
-  }
+  for (const enumerate::GridLine& line : drawing.lines)
+    figure.edges.push_back(edge_of(type, first + line.from, first + line.to, *line.move));
 }
 
 // The side of a regular region, and the next smaller side if a region with that side holds a pair.
