@@ -116,6 +116,7 @@ std::vector<std::size_t> still_to_do(const std::vector<RegionCase>& cases, const
 // Adds the judgements of one case to the totals of the claims. Moves tables' rows and violations out of the result.
 void add_up(const RegionCase& region, CaseResult& result, CampaignResult& campaign) {
   campaign.study_seconds += result.study_seconds;
+  for (const auto& [method, seconds] : result.method_seconds) campaign.method_seconds[method] += seconds;
   RegionTotal& regions = campaign.regions[family_of(region)];
   ++regions.regions;
   if (result.fillings) {

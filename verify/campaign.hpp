@@ -49,7 +49,8 @@ struct RegionTotal {
 struct CampaignResult {
   std::vector<ClaimResult> claims;
   std::map<Family, RegionTotal> regions;
-  double study_seconds = 0;  // spent on studies, summed over threads
+  double study_seconds = 0;      // spent on studies, summed over threads
+  MethodSeconds method_seconds;  // the parts of these that each method took
   bool passed() const;
 };
 

@@ -28,6 +28,7 @@ CaseResult run_case(const RegionCase& region, const std::vector<const Claim*>& s
   try {
     const Study s = study(region, methods, progress);
     result.study_seconds = since(start);
+    result.method_seconds = seconds_of(s);
     result.fillings = fillings_searched(s);
     for (std::size_t i = 0; i < selected.size(); ++i) {
       const auto judging = Clock::now();
@@ -74,6 +75,7 @@ mesh::Region region_from(const ordered_json& json) {
 // What was predicted and found is reported of a violation only.
 ordered_json to_json(const CaseResult& result) {
   ordered_json json{{"study_seconds", result.study_seconds}};
+  for (const auto& [method, seconds] : result.method_seconds) json["methods"][name(method)]["seconds"] = seconds;
   if (result.fillings) json["fillings"] = *result.fillings;
   json["claims"] = ordered_json::array();
   for (const ClaimJudgement& judged : result.judgements) {
@@ -94,6 +96,11 @@ ordered_json to_json(const CaseResult& result) {
 CaseResult case_result(const ordered_json& json, std::size_t claims) {
   CaseResult result;
   result.study_seconds = json.at("study_seconds").get<double>();
+  for (const Method method : {Method::moves, Method::search, Method::walk}) {
+    const auto all = json.find("methods");
+    if (all != json.end() && all->contains(name(method)))
+      result.method_seconds[method] = all->at(name(method)).at("seconds").get<double>();
+  }
   if (json.contains("fillings")) result.fillings = integer_from(json["fillings"], 0, kMost);
   for (const ordered_json& entry : json.at("claims")) {
     const auto i = static_cast<std::size_t>(integer_from(entry.at("claim"), 0, static_cast<std::int64_t>(claims) - 1));

@@ -21,6 +21,7 @@ struct CaseResult {
   // The fillings that the search found with the irregular vertices of the region. Nothing if there was no search.
   std::optional<std::int64_t> fillings;
   double study_seconds = 0;
+  MethodSeconds method_seconds;  // the parts of these that its methods took
 };
 
 // Studies the region and judges it by each claim that concerns it. An exception from a check counts as a violation of

@@ -21,7 +21,7 @@
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
-#include "verify/report.hpp"
+#include "verify/report/report.hpp"
 
 using namespace requad;
 namespace fs = std::filesystem;

@@ -27,7 +27,7 @@ const Rooms kTheory{"theory", "theory/proofs"};
 const Rooms kMesh{"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/irregular"};
 const Rooms kPlumbing{"mesh/threads", "mesh/program"};
 const Rooms kEnumerate{"enumerate", "enumerate/search"};
-const Rooms kVerify{"verify", "verify/studies", "verify/claims"};
+const Rooms kVerify{"verify", "verify/studies", "verify/claims", "verify/report"};
 const Rooms kFigures{"figures", "figures/pictures", "figures/explorer"};
 const Rooms kBelowEnumerate = kTheory + kMesh + kPlumbing;
 const Rooms kBelowVerify = kBelowEnumerate + kEnumerate;
@@ -56,6 +56,7 @@ const Table kMayInclude{
     {"verify/studies", kBelowVerify},
     {"verify/claims", kBelowVerify + Rooms{"verify/studies"}},
     {"verify", kBelowVerify + Rooms{"verify/studies", "verify/claims"}},
+    {"verify/report", kBelowVerify + Rooms{"verify", "verify/studies", "verify/claims"}},
     {"verify/check", {}},
     {"verify/commands", kBelowVerify + kVerify},
 

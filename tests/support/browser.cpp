@@ -276,7 +276,8 @@ void Browser::set_size(int width, int height, bool phone) {
 
 void Browser::set_media() {
   call("Emulation.setEmulatedMedia",
-       {{"features",
+       {{"media", print_ ? "print" : ""},
+        {"features",
          {{{"name", "prefers-reduced-motion"}, {"value", reduced_ ? "reduce" : "no-preference"}},
           {{"name", "prefers-color-scheme"}, {"value", dark_ ? "dark" : "light"}}}}});
 }
@@ -289,6 +290,15 @@ void Browser::set_reduced_motion(bool reduced) {
 void Browser::set_dark(bool dark) {
   dark_ = dark;
   set_media();
+}
+
+void Browser::set_print(bool print) {
+  print_ = print;
+  set_media();
+}
+
+void Browser::set_downloads(const std::string& folder) {
+  call("Browser.setDownloadBehavior", {{"behavior", "allow"}, {"downloadPath", folder}});
 }
 
 void Browser::screenshot(const std::string& path) {

@@ -35,6 +35,9 @@ class Browser {
   void set_size(int width, int height, bool phone);
   void set_reduced_motion(bool reduced);
   void set_dark(bool dark);
+  void set_print(bool print);
+  // Files that the page offers are kept in this folder.
+  void set_downloads(const std::string& folder);
   // Writes the page as a PNG, for a person to look at.
   void screenshot(const std::string& path);
 
@@ -56,6 +59,7 @@ class Browser {
   bool phone_ = false;
   bool reduced_ = false;
   bool dark_ = false;
+  bool print_ = false;
   std::string session_;
   std::string pending_;
   std::string profile_;

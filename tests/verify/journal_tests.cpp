@@ -11,7 +11,7 @@
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/sanitizers.hpp"
-#include "verify/report.hpp"
+#include "verify/report/report.hpp"
 
 using namespace requad;
 using namespace requad::verify;
@@ -30,6 +30,7 @@ CaseResult some_result(int number) {
   r.judgements[0].seconds = 0.25;
   r.fillings = number;
   r.study_seconds = 1;
+  r.method_seconds = {{Method::moves, 0.25}, {Method::walk, 0.5}};
   r.judgements[0].judgement.checks = number;
   r.judgements[0].judgement.row = {{"sides", {number, 2}}, {"text", "a \"b\"\n"}};
   return r;
@@ -62,6 +63,7 @@ TEST_CASE("JSON gives results back unchanged", "[journal]") {
   REQUIRE(back.judgements.size() == 1);
   CHECK(back.judgements[0].claim == 1);
   CHECK(back.judgements[0].seconds == 0.25);
+  CHECK(back.method_seconds == r.method_seconds);
   CHECK(back.fillings == 7);
   CHECK(back.judgements[0].judgement.row.dump() == r.judgements[0].judgement.row.dump());
   CHECK(back.judgements[0].judgement.checks == 7);

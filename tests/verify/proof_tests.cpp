@@ -3,7 +3,8 @@
 
 #include "tests/support/catch.hpp"
 #include "theory/proofs/proofs.hpp"
-#include "verify/report.hpp"
+#include "verify/report/html.hpp"
+#include "verify/report/report.hpp"
 
 using namespace requad;
 using namespace requad::theory;

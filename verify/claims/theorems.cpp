@@ -110,6 +110,7 @@ void judge_moves(const PairStudy& s, Judgement& j) {
   const GraphComparison full_graph = compare_graphs(s, theory::Apex::with);
   j.row["moves"] = found;
   j.row["edges"] = pair_graph.edges;
+  j.row["edges_with_apex"] = full_graph.edges;  // what the walk counts, too
   j.row["isomorphic"] = pair_graph.isomorphic && full_graph.isomorphic;
   j.predicted += ", " + edges_text(s, full_graph.predicted);
   add_found(j, Method::moves, counted(found, "configuration") + ", " + edges_text(s, full_graph.edges));

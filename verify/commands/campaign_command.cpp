@@ -1,6 +1,7 @@
 // requad-verify without a command: checks claims on many regions, by every pair move on every configuration.
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -12,7 +13,8 @@
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"
 #include "verify/commands/commands.hpp"
-#include "verify/report.hpp"
+#include "verify/report/html.hpp"
+#include "verify/report/report.hpp"
 
 namespace requad::verify {
 
@@ -141,10 +143,11 @@ CampaignResult run_selected(const Options& options, const std::vector<const Clai
   return run_campaign(selected, cases, methods, running);
 }
 
-void write_reports(const Options& options, const CampaignResult& result, const Ranges& ranges) {
+void write_reports(const Options& options, const CampaignResult& result, const Ranges& ranges,
+                   const RunDescription& run) {
   program::Outputs outputs;
   if (options.has("json")) outputs.add(options.text("json"), report_json(result, ranges).dump() + "\n");
-  if (options.has("html")) outputs.add(options.text("html"), report_html(result, ranges));
+  if (options.has("html")) outputs.add(options.text("html"), report_html(result, ranges, run));
   outputs.commit();
   if (!options.quiet() && !options.on_stdout("json") && !options.on_stdout("html"))
     std::cout << report_text(result, ranges);
@@ -157,7 +160,8 @@ int exit_code(const CampaignResult& result) {
   return failed ? program::kCheckFailed : program::kUndecided;
 }
 
-int campaign(const Options& options, Processes& processes) {
+int campaign(const Options& options, const std::string& command_line, Processes& processes) {
+  const auto start = std::chrono::steady_clock::now();
   const std::set<Method> methods = methods_of(options);
   const std::vector<const Claim*> selected = selected_claims(options, methods);
   const std::string failures = options.text("failures", ".");
@@ -175,7 +179,7 @@ int campaign(const Options& options, Processes& processes) {
   options.require_outputs();
   if (options.has("certificate")) program::require_folder(options.text("certificate"));
   const CampaignResult result = run_selected(options, selected, cases, ranges, methods, processes);
-  write_reports(options, result, ranges);
+  write_reports(options, result, ranges, describe_run(program::version_and_build(REQUAD_VERSION), command_line, start));
   write_violations(result, failures);
   if (options.has("certificate")) {
     const int written = write_certificates(options.text("certificate"), ranges, families, options.quiet());
@@ -210,7 +214,7 @@ std::vector<const Claim*> named_claims(const Options& options) {
   return named;
 }
 
-program::Command campaign_command(Processes& processes) {
+program::Command campaign_command(Processes& processes, std::string command_line) {
   return {
       .name = "",
       .usage = {"[--claim ID]... [OPTION]..."},
@@ -265,7 +269,8 @@ program::Command campaign_command(Processes& processes) {
                               {{"html", {"html", "htm"}}}),
           },
       .outputs_are_known = false,
-      .run = [&processes](const Options& options) { return campaign(options, processes); },
+      .run = [&processes, command_line = std::move(command_line)](
+                 const Options& options) { return campaign(options, command_line, processes); },
   };
 }
 

@@ -7,8 +7,8 @@
 
 namespace requad::verify {
 
-// Checks claims; it has no command name. The processes must outlive the command.
-program::Command campaign_command(Processes& processes);
+// Checks claims; it has no command name. The processes must outlive the command. The report quotes the command line.
+program::Command campaign_command(Processes& processes, std::string command_line);
 // check: starts requad-verify-check, which is in the same folder as this program and shares no code with it. `self` is
 // the name by which this program was called.
 program::Command check_command(const Processes& processes, const char* self);

@@ -4,6 +4,7 @@
 #include <streambuf>
 
 #include "verify/commands/commands.hpp"
+#include "verify/report/run_description.hpp"
 
 namespace {
 
@@ -16,6 +17,7 @@ class Discard : public std::streambuf {
 
 int main(int argc, char** argv) {
   using namespace requad::verify;
+  const std::string words = command_line(argc, argv);
   Processes processes(argc, argv);
   // Only the process that leads prints.
   static Discard discard;
@@ -32,7 +34,7 @@ int main(int argc, char** argv) {
           .exit_codes =
               "0 all claims hold, 1 one fails, 2 bad arguments, 3 undecided: a claim had no instance in these ranges",
           .text = "",
-          .commands = {campaign_command(processes), check_command(processes, argv[0]), list_command(), proofs_command(),
-                       sentences_command()},
+          .commands = {campaign_command(processes, words), check_command(processes, argv[0]), list_command(),
+                       proofs_command(), sentences_command()},
       });
 }

@@ -5,7 +5,7 @@
 #include "mesh/program/layout.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/commands/commands.hpp"
-#include "verify/report.hpp"
+#include "verify/report/report.hpp"
 #include "verify/sentences.hpp"
 
 namespace requad::verify {

@@ -1,6 +1,7 @@
 #include "verify/studies/study.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -23,6 +24,10 @@ const char* name(Method method) {
 Family family_of(const Study& study) {
   if (const auto* pair = std::get_if<PairStudy>(&study)) return family_of(PairCase{pair->shape});
   return std::holds_alternative<VertexStudy>(study) ? Family::single_vertex : Family::three_vertices;
+}
+
+const MethodSeconds& seconds_of(const Study& study) {
+  return std::visit([](const auto& s) -> const MethodSeconds& { return s.seconds; }, study);
 }
 
 std::optional<std::int64_t> fillings_searched(const Study& study) {
@@ -66,6 +71,15 @@ const Signatures& TripleStudy::fewer_with(const std::vector<int>& valences) cons
 
 namespace {
 
+// Does a part of a study, and adds the time that this takes to its method.
+template <class Part>
+void timed(MethodSeconds& seconds, Method method, Part&& part) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  part();
+  seconds[method] += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 // All fillings of a boundary with these irregular valences, by signature.
 std::map<std::string, mesh::Region> fillings(const theory::IntegerVector& sides, std::vector<int> irregular) {
   enumerate::SearchLimits limits;
@@ -93,8 +107,8 @@ VertexStudy study_vertex(const VertexCase& region, const std::set<Method>& metho
   VertexStudy s{region.sides, {}, std::nullopt};
   for (const theory::IntegerVector& e : theory::solve_circulant(s.sides)) s.glued.push_back(enumerate::glue_vertex(e));
   if (methods.count(Method::search) > 0 && s.sides.sum() <= kLongestVertexSearch) {
-    const int valence = s.valence();
-    s.searched = signatures(s.sides, valence == 4 ? std::vector<int>{} : std::vector<int>{valence});
+    const std::vector<int> irregular = s.valence() == 4 ? std::vector<int>{} : std::vector<int>{s.valence()};
+    timed(s.seconds, Method::search, [&] { s.searched = signatures(s.sides, irregular); });
   }
   return s;
 }
@@ -113,10 +127,16 @@ std::vector<std::vector<int>> fewer_valences(const std::vector<int>& three) {
 
 TripleStudy study_triple(const TripleCase& region, const std::set<Method>& methods) {
   if (methods.count(Method::search) == 0) return {region, false, {}, {}, {}, {}};
-  TripleStudy s = search_triple(region);
-  for (const mesh::Region& filling : s.fillings) s.edits.push_back(enumerate::edit_results(filling));
+  MethodSeconds searching;
+  TripleStudy s;
+  timed(searching, Method::search, [&] { s = search_triple(region); });
+  s.seconds = searching;
+  timed(s.seconds, Method::moves, [&] {
+    for (const mesh::Region& filling : s.fillings) s.edits.push_back(enumerate::edit_results(filling));
+  });
   return s;
 }
+
 void add_exploration(PairStudy& s, enumerate::Exploration found) {
   s.found = std::move(found);
   for (const enumerate::FoundNode& node : s.found.nodes) {
@@ -146,19 +166,23 @@ PairStudy study_pair(const theory::RegionShape& shape, const std::set<Method>& m
   PairStudy s{shape, theory::exact_count(shape), {}, {shape, {}, {}}, {}, {}, {}, {}};
   const bool search = methods.count(Method::search) > 0;
   const bool moves = methods.count(Method::moves) > 0;
-  if (methods.count(Method::walk) > 0) s.walked = enumerate::walk(shape, progress);
+  if (methods.count(Method::walk) > 0)
+    timed(s.seconds, Method::walk, [&] { s.walked = enumerate::walk(shape, progress); });
   s.search_asked = search;
   if (!search && !moves) return s;
   s.map = theory::configuration_map(shape, theory::Apex::with);
   if (search) {
-    s.searched = signatures(shape.sides(), {type.l1, type.l2});
-    if (type.symmetric()) s.searched_merged = signatures(shape.sides(), {type.side_count()});
+    timed(s.seconds, Method::search, [&] {
+      s.searched = signatures(shape.sides(), {type.l1, type.l2});
+      if (type.symmetric()) s.searched_merged = signatures(shape.sides(), {type.side_count()});
+    });
   }
   // The pair's first configuration. Without one there is nothing to explore.
   const auto start = std::find_if(s.map.nodes.begin(), s.map.nodes.end(),
                                   [](const theory::MapNode& node) { return !node.configuration.merged(); });
   if (!moves || start == s.map.nodes.end()) return s;
-  add_exploration(s, enumerate::explore(shape, {enumerate::glue_region(type, start->configuration)}));
+  timed(s.seconds, Method::moves,
+        [&] { add_exploration(s, enumerate::explore(shape, {enumerate::glue_region(type, start->configuration)})); });
   return s;
 }
 

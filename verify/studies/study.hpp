@@ -30,6 +30,9 @@ namespace requad::verify {
 enum class Method { moves, search, walk };
 const char* name(Method method);
 
+// How long each method took, in seconds.
+using MethodSeconds = std::map<Method, double>;
+
 // The signatures of the fillings that a search found, sorted.
 using Signatures = std::vector<std::string>;
 
@@ -48,6 +51,7 @@ struct PairStudy {
   // The result of the walk, if that is asked for.
   std::optional<enumerate::WalkResult> walked;
   bool search_asked = false;
+  MethodSeconds seconds = {};
 
   int pairs_predicted() const;  // configurations of the parameter set, which hold the pair
   int pairs_found() const;
@@ -57,6 +61,7 @@ struct VertexStudy {
   theory::IntegerVector sides;
   std::vector<mesh::Region> glued;     // the predicted configurations
   std::optional<Signatures> searched;  // fillings with the vertex, if a search is asked for and the region is small
+  MethodSeconds seconds = {};
 
   int valence() const { return static_cast<int>(sides.size()); }
 };
@@ -70,6 +75,7 @@ struct TripleStudy {
   std::map<std::vector<int>, Signatures> fewer;  // fillings with fewer irregular vertices, by their valences
   // Found by edits.
   std::vector<std::vector<enumerate::EditResult>> edits;  // what one edit makes of each filling
+  MethodSeconds seconds = {};                             // edits count as moves
 
   // The valences of the two vertices that remain when two equal ones merge, and of the one that remains when a v3 and a
   // v5 cancel (nothing without such a pair).
@@ -80,6 +86,7 @@ struct TripleStudy {
 
 using Study = std::variant<PairStudy, VertexStudy, TripleStudy>;
 Family family_of(const Study& study);
+const MethodSeconds& seconds_of(const Study& study);
 // The number of fillings that the search found with the irregular vertices of the region; nothing if there was no
 // search.
 std::optional<std::int64_t> fillings_searched(const Study& study);

@@ -1,4 +1,4 @@
-// Reports of a campaign, for people and for programs.
+// Reports of a campaign, for programs and for terminals. For browsers: html.hpp.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace requad::verify {
 
-// The ranges that were run, for the families of a claim: "digons L=3..24" and so on.
+// The range that was run of a family: "digons L=3..24". The same for the families of a claim.
+std::string range_text(const Ranges& ranges, Family family);
 std::string range_text(const Ranges& ranges, const std::set<Family>& families);
 
 // The report as JSON:
@@ -18,9 +19,11 @@ std::string range_text(const Ranges& ranges, const std::set<Family>& families);
 //    "passed": bool,
 //    "errata": [{"where", "written", "found", "instance"}, ...],
 //    "sentences": [{"where", "sentence", "reason"}, ...],
-//    "regions": [{"family", "range", "regions", "searched", "empty"}, ...]}
+//    "regions": [{"family", "range", "regions", "searched", "empty"}, ...],
+//    "methods": [{"method", "seconds"}, ...]}
 // Of a family's regions, those are searched whose boundary a search filled in every possible way, and those of them are
-// empty that have no filling.
+// empty that have no filling. Apart from the seconds, which are summed over threads, the same campaign gives the same
+// report.
 // "proof" is null or
 //   {"for", "statement", "premises", "steps": [{"text", "computed", "holds"}, ...], "proved"}
 // A claim without an instance is undecided. If the check of a claim makes no table rows, its table has a row for each
@@ -33,14 +36,10 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges);
 // A proof in full: its premises and its steps, each of them argued or computed.
 std::string proof_text(const theory::Proof& proof);
 
-// The report as one self-contained HTML page. For each claim it has the statement, what the check compares, the
-// verdict, the totals by family, and the first kRowsShown rows of the table.
-inline constexpr std::size_t kRowsShown = 60;
-std::string report_html(const CampaignResult& result, const Ranges& ranges);
-
 // Parts of the report, for the commands that print them alone.
 nlohmann::ordered_json claims_json();  // [{"id", "where", "statement", "compares", "fails_if"}, ...]
 nlohmann::ordered_json sentences_json();
+nlohmann::ordered_json totals_json(const ClaimResult& claim);  // [{"family", "regions", "checks"}, ...]
 nlohmann::ordered_json proof_json(const std::optional<theory::Proof>& proof);
 
 // "holds", "fails", "undecided".
