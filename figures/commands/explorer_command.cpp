@@ -35,13 +35,16 @@ int explorer(const program::Options& options) {
   const auto& claims = data["claims"];
   const auto held = std::count_if(claims.begin(), claims.end(),
                                   [](const auto& claim) { return claim["holds"].template get<bool>(); });
-  const auto nodes = data["nodes"].size();
+  const auto merged = std::count_if(found.nodes.begin(), found.nodes.end(), [](const enumerate::FoundNode& node) {
+    return node.reading.configuration.merged();
+  });
+  const std::int64_t pairs = std::ssize(found.nodes) - merged;
   const auto moves = data["moves"].size();
-  const ordered_json summary{
-      {"file", path}, {"bytes", page.size()}, {"configurations", nodes}, {"moves", moves}, {"claims", claims}};
-  const std::string text = path + ": " + program::counted(static_cast<std::int64_t>(nodes), "configuration") + ", " +
-                           std::to_string(moves) + " moves, " + std::to_string(held) + " of " +
-                           std::to_string(claims.size()) + " claims hold, " +
+  const ordered_json summary{{"file", path},     {"bytes", page.size()}, {"configurations", pairs},
+                             {"merged", merged}, {"moves", moves},       {"claims", claims}};
+  const std::string text = path + ": " + program::counted(pairs, "configuration") +
+                           (merged > 0 ? " and the merged one, " : ", ") + std::to_string(moves) + " moves, " +
+                           std::to_string(held) + " of " + std::to_string(claims.size()) + " claims hold, " +
                            std::to_string((page.size() + 1023) / 1024) + " kB\n";
   program::Outputs outputs;
   outputs.add(path, page);
@@ -56,7 +59,9 @@ program::Command explorer_command() {
       .name = "--explorer",
       .usage = {"--sides S1,S2,... --pair 3-3|5-5|3-5"},
       .summary = "writes one HTML file in which the configurations of a region and their moves can be walked through",
-      .text = "The file needs no server and no network. The region may have 150 configurations.\n",
+      .text =
+          "The file needs no server and no network. The region may have 150 configurations.\n"
+          "explorer.html#2,1 opens it at the configuration (2,1).\n",
       .examples = {"requad-figures --explorer --sides 6,6,6,6,6,6 --pair 5-5 -o explorer.html"},
       .options =
           {

@@ -5,6 +5,9 @@
 // the page applies its operations to the mesh on the screen. Then it checks that the result is isomorphic, relative to
 // the boundary, to the mesh that was found.
 //
+// The address of the page follows the moves: explorer.html#2,1 shows the configuration (2,1). The page saves the mesh that
+// it shows as SVG and as OBJ. In the OBJ file side 1 starts at the first edge of the first face.
+//
 // Terms
 //   spot       the position of a configuration in the drawing of the graph. A configuration has one spot. The exception
 //              is a digon, where (x,0) and (0,x) are one configuration with two spots, at both ends of a level

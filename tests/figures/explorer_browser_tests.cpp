@@ -220,7 +220,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
     open_at(browser, write_page(hexagon), "(1,0,1)");
     // Tab reaches every control in the order of the page, and the focus is visible.
     std::vector<std::string> met;
-    for (int i = 0; i < 22; ++i) {
+    for (int i = 0; i < 25; ++i) {
       browser.press("Tab");
       const json here = browser.evaluate(
           "(() => { const e = document.activeElement; return [e.id || e.dataset.key || e.className || e.tagName,"
@@ -232,11 +232,11 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
       CHECK(here[1] != "none");
       CHECK(here[2] == true);
     }
-    CHECK(met ==
-          std::vector<std::string>{
-              "graph-frame",       "jump",       "turn-left", "turn-right", "turn-reset", "mesh-frame", "show-arrows",
-              "show-separatrices", "show-alpha", "close-up",  "up",         "left",       "right",      "down",
-              "film-from",         "film-to",    "film-swap", "film-play",  "film-step",  "speed",      "scroll"});
+    CHECK(met == std::vector<std::string>{"graph-frame", "jump",      "turn-left",  "turn-right",  "turn-reset",
+                                          "save-svg",    "save-obj",  "mesh-frame", "show-arrows", "show-separatrices",
+                                          "show-alpha",  "close-up",  "up",         "left",        "right",
+                                          "down",        "film-from", "film-to",    "film-swap",   "film-play",
+                                          "film-step",   "speed",     "scroll"});
     // Shift with an arrow key turns the cube and makes no move.
     browser.evaluate("document.getElementById('graph-frame').focus()");
     const std::string at = "document.querySelector('#graph .spot.current').getAttribute('transform')";

@@ -259,7 +259,8 @@ TEST_CASE("requad-figures --explorer writes one file that needs no other", "[exp
   CHECK(done.code == 0);
   CHECK(done.err.empty());
   const json summary = json::parse(done.out);
-  CHECK(summary["configurations"] == 7);
+  CHECK(summary["configurations"] == 6);
+  CHECK(summary["merged"] == 1);
   CHECK(summary["moves"] == 20);
   const std::string page = slurp(path);
   CHECK(summary["bytes"] == page.size());
