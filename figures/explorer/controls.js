@@ -7,8 +7,8 @@ const arrowKeys = {
   ArrowRight: "right"
 };
 
-// Arrow keys make moves while a drawing or a move has the focus. If nothing has the focus they make moves where there is
-// room for one and a drawing is on the screen. Elsewhere they scroll the page or belong to what has the focus.
+// Arrow keys make moves while a drawing or a move has the focus. If nothing has the focus they make moves where there
+// is room for one and a drawing is on the screen. Elsewhere they scroll the page or belong to what has the focus.
 document.addEventListener("keydown", (event) => {
   const key = arrowKeys[event.key];
   if (!key || event.altKey || event.ctrlKey || event.metaKey) return;
@@ -65,7 +65,8 @@ function legendItems() {
         6: "v6: the two v5 merged"
       }[valence] ?? `v${valence}`);
   const arrow = (key) => [
-    `arrow ${key}`, element("path", {class: "shaft", d: "M-36 0H6"}), element("path", {class: "head", d: "M38 0L4 20V-20Z"}),
+    `arrow ${key}`, element("path", {class: "shaft", d: "M-36 0H6"}),
+    element("path", {class: "head", d: "M38 0L4 20V-20Z"}),
     element("text", {x: 15, y: 1, "font-size": 28}, KEY_SIGNS[key])
   ];
   const node = (css, text) =>
@@ -79,7 +80,8 @@ function legendItems() {
         "drawing", [["separatrices", shapeOf("M-40 0H40")]],
         "an outward separatrix: e_i quad strips lie between Rα and side i"),
     legendItem(
-        "drawing", [arrow("up")], "where a move takes a vertex of the pair, in the colour and with the sign of its button"),
+        "drawing", [arrow("up")],
+        "where a move takes a vertex of the pair, in the colour and with the sign of its button"),
     ...[["split", "a quad that an edge split makes"], ["collapse", "a quad that a collapse removes"],
         ["flip", "two quads whose common edge is flipped"]]
         .map(([css, text]) => {
@@ -89,10 +91,12 @@ function legendItems() {
         }),
     legendItem("network", [node("spot current", "m,n")], "the configuration that the mesh shows"),
     legendItem("network", [node("spot reachable", "m,n")], "a configuration that one move reaches"),
-    legendItem("network", [["path", element("path", {class: "path", d: "M-40 0H40"})]], "the shortest path that is chosen"),
+    legendItem(
+        "network", [["path", element("path", {class: "path", d: "M-40 0H40"})]], "the shortest path that is chosen"),
   ];
   if (graphView.spots.some((spot) => spot.copy))
-    items.push(legendItem("network", [node("spot copy", "0,x")], "(0,x): the same configuration as (x,0), drawn twice"));
+    items.push(
+        legendItem("network", [node("spot copy", "0,x")], "(0,x): the same configuration as (x,0), drawn twice"));
   return items;
 }
 

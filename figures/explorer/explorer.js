@@ -74,7 +74,8 @@ function drawMoves() {
     change.textContent = move ? move.change : changeOf(node, key) || "–";
     if (move) {
       what.replaceChildren(more(of ? `${of.trim()}, ` : ""), `to ${targetName(move)}`, more(`, ${workOf(move)}`));
-      button.setAttribute("aria-label", `${key}: changes ${effect(move)}${of}, to ${targetName(move)}, ${workOf(move)}`);
+      button.setAttribute(
+          "aria-label", `${key}: changes ${effect(move)}${of}, to ${targetName(move)}, ${workOf(move)}`);
     } else {
       const why = isMerged(node) ? `not ${key}` : "no room";
       what.replaceChildren(of ? `${of.trim()}: ` : "", why);
@@ -190,8 +191,8 @@ function press(key) {
 
 // --- the address -----------------------------------------------------------------------------------------------------
 
-// explorer.html#2,1 opens at (2,1). The address follows the moves, so that it can be shared, and each configuration that
-// somebody went to is one step back. A film is one step, however many moves it has.
+// explorer.html#2,1 opens at (2,1). The address follows the moves, so that it can be shared, and each configuration
+// that somebody went to is one step back. A film is one step, however many moves it has.
 const addressOf = (index) => "#" + data.nodes[index].label.replace(/[()]/g, "");
 
 function remember() {

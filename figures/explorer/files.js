@@ -25,7 +25,8 @@ function objText(node, unit) {
   return lines.join("\n") + "\n";
 }
 
-const DRAWN = ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin", "stroke-linecap", "paint-order"];
+const DRAWN =
+    ["fill", "stroke", "stroke-width", "stroke-dasharray", "stroke-linejoin", "stroke-linecap", "paint-order"];
 const WRITTEN = ["font-size", "font-weight", "font-family", "text-anchor"];
 
 // What the style sheet says of a part of a drawing; null if it is hidden.

@@ -3,8 +3,8 @@
 class MeshView {
   static SHORT_ARROW = 36;  // pixels
 
-  // `onArrow(key)` is called when an arrow is clicked, `onPoint(key or null)` when it is pointed at, `onFit(close)` when
-  // the view has changed, with whether it is a close-up.
+  // `onArrow(key)` is called when an arrow is clicked, `onPoint(key or null)` when it is pointed at, `onFit(close)`
+  // when the view has changed, with whether it is a close-up.
   constructor(svg, data, {onArrow, onPoint, onFit}) {
     this.svg = svg;
     this.onFit = onFit;
@@ -12,8 +12,9 @@ class MeshView {
     this.onArrow = onArrow;
     this.onPoint = onPoint;
     const layer = (name) => svg.appendChild(element("g", {class: name}));
-    for (const name
-             of ["alpha", "changed", "edges", "boundary", "separatrices", "rim", "sides", "ends", "arrows", "irregular"]) {
+    const layers =
+        ["alpha", "changed", "edges", "boundary", "separatrices", "rim", "sides", "ends", "arrows", "irregular"];
+    for (const name of layers) {
       this[name] = layer(name);
     }
     // All configurations have the same boundary.
@@ -39,8 +40,8 @@ class MeshView {
     new ResizeObserver(() => this.fit()).observe(svg);
   }
 
-  // Outside the boundary: the side lengths E_i near the middle of each side, the strip counts e_i where the separatrices
-  // end. E_i moves along its side if e_i is in its way.
+  // Outside the boundary: the side lengths E_i near the middle of each side, the strip counts e_i where the
+  // separatrices end. E_i moves along its side if e_i is in its way.
   drawLabels() {
     const points = this.loop;
     const centre = points.reduce((sum, p) => plus(sum, p, 1 / points.length), [0, 0]);
@@ -152,7 +153,8 @@ class MeshView {
     const side = Math.min(
         Math.max(high[0] - low[0] + 3 * way, high[1] - low[1] + 3 * way, way * Math.min(across, down) / 80),
         Math.max(this.whole[2], this.whole[3]));
-    if (this.wish === null && side > 0.8 * Math.max(this.whole[2], this.whole[3])) return this.whole;  // it is no closer
+    const isCloser = side <= 0.8 * Math.max(this.whole[2], this.whole[3]);
+    if (this.wish === null && !isCloser) return this.whole;
     return [(low[0] + high[0] - side) / 2, -(low[1] + high[1] + side) / 2, side, side];
   }
 
