@@ -173,19 +173,22 @@ std::string methods_html(const CampaignResult& result) {
 
 std::string regions_html(const CampaignResult& result, const Ranges& ranges) {
   if (result.regions.empty()) return "";
+  const bool searched = std::any_of(result.regions.begin(), result.regions.end(),
+                                    [](const auto& entry) { return entry.second.searched > 0; });
   std::string html =
       "<section>\n<h2>The regions</h2>\n" +
-      paragraph(
-          "The claims are checked on every convex region of these sizes, each once up to rotation. The search fills "
-          "its boundary in every possible way. In an empty region it finds no filling, so that moves have nothing "
-          "to start from.") +
+      paragraph(std::string("The claims are checked on every convex region of these sizes, each once up to rotation.") +
+                (searched ? " The search fills its boundary in every possible way. In an empty region it finds no "
+                            "filling, so that moves have nothing to start from."
+                          : "")) +
       "<div class=\"cards\">\n";
   for (const auto& [family, total] : result.regions) {
     const Picture picture = family_picture(family);
     html += "<figure>" + picture.svg + "<figcaption><strong>" + escaped(range_text(ranges, family)) + "</strong><br>" +
-            grouped(total.regions) + (total.regions == 1 ? " region" : " regions") + ", " + grouped(total.searched) +
-            " searched, " + grouped(total.empty) + " of these empty<br><span class=\"soft\">" +
-            escaped(picture.caption) + "</span></figcaption></figure>\n";
+            grouped(total.regions) + (total.regions == 1 ? " region" : " regions");
+    if (total.searched > 0)
+      html += ", " + grouped(total.searched) + " searched, " + grouped(total.empty) + " of these empty";
+    html += "<br><span class=\"soft\">" + escaped(picture.caption) + "</span></figcaption></figure>\n";
   }
   html += "</div>\n";
   if (const Picture counts = counts_picture(result); !counts.svg.empty()) html += figure(counts) + "\n";
