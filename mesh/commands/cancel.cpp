@@ -15,8 +15,6 @@ using mesh::VertexId;
 using nlohmann::ordered_json;
 using program::UsageError;
 
-constexpr int kMostHelpers = 8;  // if --with names none
-
 // The vertices of --with, or the irregular vertices nearest to the pair.
 std::vector<VertexId> helpers_of(Session& session, VertexId three, VertexId five) {
   std::vector<VertexId> helpers;
@@ -26,11 +24,8 @@ std::vector<VertexId> helpers_of(Session& session, VertexId three, VertexId five
       throw UsageError("cancel: --with " + word + " is one of the pair");
   }
   if (!helpers.empty()) return helpers;
-  const auto can_help = [&](VertexId v) {
-    return v != three && v != five && session.editor().sectors().is_irregular(v);
-  };
   mesh::BreadthFirstDistances distances;
-  return nearest(session.editor(), distances, three, kMostHelpers, can_help);
+  return mesh::usual_helpers(session.editor(), distances, three, five);
 }
 
 int cancel(const program::Options& options) {
@@ -70,9 +65,10 @@ A and B.
 )",
       .examples = {"requad-edit cancel mesh/examples/figure-17.obj 153 163 -o less.obj",
                    "requad-edit cancel mesh/examples/figure-17.obj 153 163 --with 366 -o less.obj"},
-      .options = editing_options({program::list("with", "C",
-                                                "a third vertex that helps; may be repeated (default: the " +
-                                                    std::to_string(kMostHelpers) + " nearest irregular vertices)")}),
+      .options =
+          editing_options({program::list("with", "C",
+                                         "a third vertex that helps; may be repeated (default: the " +
+                                             std::to_string(mesh::kUsualHelpers) + " nearest irregular vertices)")}),
       .words = {3, 3},
       .files = {0},
       .run = cancel,

@@ -2,7 +2,6 @@
 
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/pair_edit.hpp"
-#include "mesh/commands/possible_moves.hpp"
 
 namespace requad::edit {
 
@@ -21,9 +20,9 @@ int move(const program::Options& options) {
   const std::string subject = session.describe(a, b);
   const std::size_t mark = session.editor().mark();
   // A step can stand for several moves. The first legal one is made; if there is none, the last reason is reported.
-  PossibleMove made;
+  mesh::PossibleMove made;
   bool found = false;
-  const Refusal refusal = for_each_move(session, a, b, [&](const PossibleMove& move) {
+  const Refusal refusal = mesh::for_each_move(session.editor(), a, b, [&](const mesh::PossibleMove& move) {
     if (!move.is_called(wanted)) return false;
     made = move;
     found = true;

@@ -4,7 +4,6 @@
 
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/pair_edit.hpp"
-#include "mesh/commands/possible_moves.hpp"
 
 namespace requad::edit {
 
@@ -18,7 +17,7 @@ std::string signed_text(int n) { return (n > 0 ? "+" : "") + std::to_string(n); 
 
 // What the move does, as JSON. Each vertex of the pair has its number before and after the move; the number is null if
 // the vertex is regular then.
-ordered_json details(const Session& session, std::array<int, 2> numbers, const PossibleMove& move) {
+ordered_json details(const Session& session, std::array<int, 2> numbers, const mesh::PossibleMove& move) {
   ordered_json result{{"effect", move.effect},
                       {"operations", move.operations},
                       {"faces", move.faces_gained()},
@@ -44,7 +43,7 @@ int moves(const program::Options& options) {
   const std::array numbers{session.number(a), session.number(b)};
   ordered_json list = ordered_json::array();
   std::string text;
-  const Refusal refusal = for_each_move(session, a, b, [&](const PossibleMove& move) {
+  const Refusal refusal = mesh::for_each_move(session.editor(), a, b, [&](const mesh::PossibleMove& move) {
     const bool legal = move.refusal == Refusal::none;
     ordered_json entry{{"name", move.name}, {"move", move.step}, {"legal", legal}};
     text += move.name + ": ";

@@ -12,8 +12,13 @@ std::array<VertexId, 2> pair_of(const Session& session) {
   return {session.vertex(words[1]), session.vertex(words[2])};
 }
 
-std::string extents_text(const PairFrame& frame) {
-  return "(" + std::to_string(frame.d1) + "," + std::to_string(frame.d2) + ")";
+bool names_one_vertex(const Session& session) { return session.options().words().size() == 2; }
+
+int refuse_one_vertex(Session& session) {
+  const VertexId v = session.vertex(session.options().words()[1]);
+  const bool irregular = session.editor().sectors().is_irregular(v);
+  return session.refused(session.describe(v),
+                         irregular ? mesh::EditRefusal::lone_vertex : mesh::EditRefusal::wrong_valences);
 }
 
 int edit_pair(const program::Options& options, const std::string& command, PairOperation operation) {

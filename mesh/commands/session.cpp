@@ -97,11 +97,7 @@ mesh::VertexId Session::vertex(const std::string& word) const {
   return v;
 }
 
-int Session::number(mesh::VertexId v) const {
-  int live = 1;
-  for (int i = 0; i < v.index(); ++i) live += mesh_.is_live(mesh::VertexId(i)) ? 1 : 0;
-  return live;
-}
+int Session::number(mesh::VertexId v) const { return mesh::file_number(mesh_, v); }
 
 std::string Session::describe(mesh::VertexId v) const {
   return std::to_string(number(v)) + " (v" + std::to_string(mesh_.valence(v)) + ")";
@@ -110,13 +106,8 @@ std::string Session::describe(mesh::VertexId v) const {
 std::string Session::describe(mesh::VertexId a, mesh::VertexId b) const { return describe(a) + " and " + describe(b); }
 
 void Session::smooth_since(std::size_t mark) {
-  constexpr int kRings = 2;
-  mesh::SmoothingOptions how;
-  how.iterations = static_cast<int>(options_.integer("smooth", 4, 0, 100'000));
-  if (how.iterations == 0) return;
-  how.project_to = &surface();
-  const mesh::AffectedRegion affected = mesh::affected_region_since(editor_, distances_, mark, kRings);
-  editor_.smooth(affected.near, how);
+  const auto iterations = static_cast<int>(options_.integer("smooth", mesh::kUsualSmoothing, 0, 100'000));
+  if (iterations > 0) mesh::smooth_since(editor_, distances_, mark, iterations, surface());
 }
 
 int Session::done(ordered_json summary, const std::string& text) {

@@ -1,5 +1,6 @@
 #include "mesh/editing/editor.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace requad::mesh {
@@ -47,6 +48,9 @@ Applied Editor::perform(const BasicOperation& operation) {
   edit.operates = true;
   edit.operation = operation;
   edit.changed = changed_vertices(mesh_, operation);
+  for (std::size_t i = 0; i < edit.changed.size(); ++i) {
+    if (edit.changed[i].valid()) edit.fans[i] = mesh_.out(edit.changed[i]);
+  }
   done = apply_unchecked(mesh_, operation);
   edit.inverse = done.inverse;
   operations_.push_back({operation, done.inverse});
@@ -123,9 +127,24 @@ void Editor::roll_back(std::size_t mark) {
     const std::vector<Placement>& placements = edits_.back().placements;
     // NOLINTNEXTLINE(modernize-loop-convert): clang 14 refuses the reversed views of GCC 12's library
     for (auto p = placements.rbegin(); p != placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
-    if (edits_.back().operates) roll_back_last();
+    if (edits_.back().operates) {
+      roll_back_last();
+      for (std::size_t i = 0; restores_fans_ && i < 4; ++i) {
+        if (edits_.back().fans[i].valid()) MeshSurgery(mesh_).restart(edits_.back().changed[i], edits_.back().fans[i]);
+      }
+    }
     edits_.pop_back();
   }
+}
+
+void Editor::redo(const Edit& edit) {
+  if (!edit.operates) {
+    edits_.emplace_back();
+  } else if (perform(edit.operation).refusal != Refusal::none) {
+    throw std::logic_error("an edit that was rolled back cannot be made again");
+  }
+  grow_positions();
+  for (const Placement& p : edit.placements) record_placement(edits_.back(), p.vertex, p.to);
 }
 
 void Editor::forget() {

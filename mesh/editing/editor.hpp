@@ -40,6 +40,7 @@ struct Edit {
   BasicOperation operation;         // if it operates
   BasicOperation inverse;           // if it operates
   std::array<VertexId, 4> changed;  // if it operates: the vertices whose valence changed, a split's new one among them
+  std::array<HalfEdgeId, 4> fans;   // of these, the half-edge out() before; none if the vertex was not there
   std::vector<Placement> placements;
 
   // The vertex and the face that a collapse removed or that a split made; none if the edit did not.
@@ -89,6 +90,12 @@ class Editor : public OperationLog {
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t mark() const override { return edits_.size(); }
   void roll_back(std::size_t mark = 0) override;
+  // Whether rolling back also restores the half-edge at which each fan starts, QuadMesh::out(). Then edits that were tried
+  // and rolled back leave no trace: what is done next, and in what order, does not depend on them. Not so at first.
+  void restore_fans(bool restore) { restores_fans_ = restore; }
+  // Makes an edit again that was rolled back: the same ids and bits. Precondition: the mesh is as it was before the
+  // edit. Throws std::logic_error if the operation is refused.
+  void redo(const Edit& edit);
   void forget() override;
 
  private:
@@ -101,6 +108,7 @@ class Editor : public OperationLog {
   Positions* positions_;
   Sectors sectors_;
   std::vector<Edit> edits_;
+  bool restores_fans_ = false;
 };
 
 }  // namespace requad::mesh

@@ -53,6 +53,12 @@ class Ancestry {
 
 }  // namespace
 
+int file_number(const QuadMesh& mesh, VertexId v) {
+  int number = 1;
+  for (int i = 0; i < v.index(); ++i) number += mesh.is_live(VertexId(i)) ? 1 : 0;
+  return number;
+}
+
 ElementMap element_map(const QuadMesh& before, const Editor& editor) {
   Ancestry vertices(before.vertices(), before.vertex_capacity());
   Ancestry faces(before.faces(), before.face_capacity());

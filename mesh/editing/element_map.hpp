@@ -11,6 +11,9 @@
 
 namespace requad::mesh {
 
+// The number that the file of the mesh has for the vertex, counted from 1: its file index + 1. O(V).
+int file_number(const QuadMesh& mesh, VertexId v);
+
 // For the vertices, or for the faces.
 struct FileIndexMap {
   std::vector<int> now;   // by id before the edits: the file index after them; -1 if there is no such element any more

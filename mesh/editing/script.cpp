@@ -1,7 +1,6 @@
 #include "mesh/editing/script.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "mesh/editing/script_ids.hpp"
@@ -32,7 +31,7 @@ class Fnv {
 MeshDigest digest(const QuadMesh& m, const Positions& positions) {
   Fnv fnv, faces;
   for (const VertexId v : m.vertices()) {
-    for (const double coordinate : positions[v.slot()]) fnv.add(std::bit_cast<std::uint64_t>(coordinate));
+    for (const double coordinate : positions[v.slot()]) fnv.add(bits_of(coordinate));
   }
   for (const auto& face : m.compact_faces()) {
     for (const int corner : face) {

@@ -110,10 +110,6 @@ FeatureEdges parse_feature_edges(std::string_view text, const std::string& name,
   return FeatureEdgeReader(text, name, surface).read();
 }
 
-FeatureEdges read_feature_edges(const std::string& path, const Surface& surface) {
-  return parse_feature_edges(read_text(path), name_in_messages(path), surface);
-}
-
 FeatureEdges texture_seams(const Surface& surface) {
   const QuadMesh& m = surface.mesh;
   const Attributes::Values& uvs = surface.attributes.uvs;

@@ -1,11 +1,14 @@
-// Writes numbers as text that reads back as the same bits.
+// Writes numbers as text that reads back as the same bits, and reads them.
 #pragma once
 
 #include <array>
 #include <charconv>
 #include <string>
+#include <type_traits>
 
 #include <Eigen/Core>
+
+#include "mesh/files/portable_charconv.hpp"
 
 namespace requad::mesh {
 
@@ -14,7 +17,25 @@ namespace requad::mesh {
 template <class Number>
 void append_number(std::string& text, Number value) {
   std::array<char, 32> buffer;
-  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+  char* const last = buffer.data() + buffer.size();
+#ifdef __cpp_lib_to_chars
+  text.append(buffer.data(), std::to_chars(buffer.data(), last, value).ptr);
+#else
+  if constexpr (std::is_floating_point_v<Number>) {
+    text.append(buffer.data(), portable::to_chars(buffer.data(), last, value));
+  } else {
+    text.append(buffer.data(), std::to_chars(buffer.data(), last, value).ptr);
+  }
+#endif
+}
+
+// std::from_chars() for the number at the start of the text.
+inline std::from_chars_result read_number(const char* first, const char* last, double& value) {
+#ifdef __cpp_lib_to_chars
+  return std::from_chars(first, last, value);
+#else
+  return portable::from_chars(first, last, value);
+#endif
 }
 
 // Appends the three coordinates, each after a blank.

@@ -57,12 +57,22 @@ PolygonMesh finished(PolygonMesh m, const TextScanner& scanner) {
   return m;
 }
 
-PolygonMesh read_polygon_mesh(const std::string& path) {
-  const bool off = ends_in(path, ".off"), obj = ends_in(path, ".obj");
+void require_known_end(const std::string& path) {
   const bool has_end = path.find('.', path.find_last_of('/') + 1) != std::string::npos;
-  if (!off && !obj && (has_end || path.empty())) throw FileError(path + ": expected a name that ends in .obj or .off");
-  const std::string text = read_text(path), name = name_in_messages(path);
-  return off || (!obj && starts_as_off(text)) ? parse_off(text, name) : parse_obj(text, name);
+  if (!ends_in(path, ".off") && !ends_in(path, ".obj") && (has_end || path.empty()))
+    throw FileError(path + ": expected a name that ends in .obj or .off");
+}
+
+PolygonMesh parse_polygon_mesh(std::string_view text, const std::string& path, const std::string& name) {
+  const bool off = ends_in(path, ".off") || (!ends_in(path, ".obj") && starts_as_off(text));
+  return off ? parse_off(text, name) : parse_obj(text, name);
+}
+
+PolygonMesh parse_polygon_mesh(std::string_view text, const std::string& name) {
+  require_known_end(name);
+  require_text(text, name);
+  require_no_zero_byte(text, name);
+  return parse_polygon_mesh(text, name, name);
 }
 
 }  // namespace requad::mesh

@@ -33,7 +33,9 @@ namespace requad::mesh {
 
 // By the end of the name, .obj or .off in any case, or by the first word. "-" is standard input.
 PolygonMesh read_polygon_mesh(const std::string& path);
-// The same for a text in memory; `name` stands for the file in messages.
+// The same for a text in memory, which was a file of this name.
+PolygonMesh parse_polygon_mesh(std::string_view text, const std::string& name);
+// In one of the formats; `name` stands for the file in messages.
 PolygonMesh parse_obj(std::string_view text, const std::string& name);
 PolygonMesh parse_off(std::string_view text, const std::string& name);
 

@@ -21,6 +21,11 @@ inline bool is_off_keyword(std::string_view word) {
   return word.ends_with("OFF") && word.substr(0, word.size() - 3).find_first_not_of("STCN4n") == std::string_view::npos;
 }
 
+// Throws FileError for a name with another end than those of the formats.
+void require_known_end(const std::string& path);
+// In the format of the path's end, or else of the first word. `name` stands for the file in messages.
+PolygonMesh parse_polygon_mesh(std::string_view text, const std::string& path, const std::string& name);
+
 // Checks what can be checked only when the whole file is read. Throws FileError.
 PolygonMesh finished(PolygonMesh m, const TextScanner& scanner);
 

@@ -1,6 +1,5 @@
 #include "mesh/files/surface.hpp"
 
-#include "mesh/files/read_polygons.hpp"
 #include "mesh/files/text_scanner.hpp"
 #include "mesh/files/welding.hpp"
 
@@ -46,8 +45,7 @@ Surface to_quad_mesh(PolygonMesh m) {
   return s;
 }
 
-Surface read_surface(const std::string& path, bool subdivided, bool welded) {
-  PolygonMesh polygons = read_polygon_mesh(path);
+Surface to_surface(PolygonMesh polygons, bool subdivided, bool welded) {
   if (welded) weld(polygons);
   if (!subdivided) return to_quad_mesh(std::move(polygons));
   try {

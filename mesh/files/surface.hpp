@@ -30,8 +30,10 @@ struct Surface {
 // O(F), and O(F log F) for a reason.
 Surface to_quad_mesh(PolygonMesh mesh);
 
-// Reads the file (read_polygons.hpp), welds its vertices (welding.hpp) and subdivides its faces if that is asked for, and
-// makes a quad mesh of them. Reasons are in terms of the file, which knows none of the new vertices.
+// Welds the vertices (welding.hpp) and subdivides the faces if that is asked for, and makes a quad mesh of them. Reasons
+// are in terms of the file, which knows none of the new vertices.
+Surface to_surface(PolygonMesh mesh, bool subdivided, bool welded = false);
+// The same for a file (read_polygons.hpp).
 Surface read_surface(const std::string& path, bool subdivided, bool welded = false);
 
 }  // namespace requad::mesh

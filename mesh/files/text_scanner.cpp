@@ -1,15 +1,10 @@
 #include "mesh/files/text_scanner.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <new>
 
+#include "mesh/files/number_text.hpp"
 #include "mesh/geometry/measures.hpp"
 
 namespace requad::mesh {
@@ -93,7 +88,7 @@ enum class NumberProblem { none, no_number, not_finite };
 NumberProblem parse_number(std::string_view text, double& value) {
   const char* const last = text.data() + text.size();
   const bool plus = text.starts_with('+');
-  const auto [end, error] = std::from_chars(text.data() + (plus ? 1 : 0), last, value);
+  const auto [end, error] = read_number(text.data() + (plus ? 1 : 0), last, value);
   if (error == std::errc::invalid_argument || end != last || text.starts_with("+-")) return NumberProblem::no_number;
   if (error == std::errc::result_out_of_range && is_underflow(text)) {
     value = text.starts_with('-') ? -0.0 : 0.0;
@@ -182,11 +177,8 @@ std::string TextScanner::quoted(std::string_view word) {
   return "'" + start + (word.size() > kLongest ? "...'" : "'");
 }
 
-namespace {
-
-// Calls `fail` for what is no text that can be read, but can be told by its first bytes.
-template <class Fail>
-void refuse_known_binaries(std::string_view start, Fail&& fail) {
+void require_text(std::string_view start, const std::string& name) {
+  const auto fail = [&name](const char* why) { throw FileError(name + ": cannot be read: " + why); };
   if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) fail("it is UTF-16; expected ASCII or UTF-8");
   const std::size_t off = start.find("OFF"), binary = start.find("BINARY");
   const std::size_t line_end = start.find_first_of("\r\n");
@@ -194,42 +186,9 @@ void refuse_known_binaries(std::string_view start, Fail&& fail) {
     fail("it is a binary OFF file; expected the text format");
 }
 
-}  // namespace
-
-std::string read_text(const std::string& path) {
-  const std::string name = name_in_messages(path);
-  const auto fail = [&name](const std::string& why) { throw FileError(name + ": cannot be read: " + why); };
-  std::ifstream file;
-  if (path != "-") {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail("it is a folder");
-    file.open(path, std::ios::binary);
-    if (!file) fail(std::strerror(errno));
-  }
-  std::istream& in = path == "-" ? std::cin : file;
-  // The text is read in pieces, because a pipe does not know its size and may have no end.
-  std::string text;
-  constexpr std::size_t kLargestText = std::size_t{1} << 31;  // over thirty million quads
-  constexpr std::size_t kPiece = std::size_t{1} << 20;
-  std::size_t size = 0;
-  try {
-    do {
-      text.resize(std::max(size + kPiece, size + size / 2));
-      in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
-      const std::size_t end = size + static_cast<std::size_t>(in.gcount());
-      if (size == 0) refuse_known_binaries(std::string_view(text).substr(0, end), fail);
-      if (std::memchr(text.data() + size, 0, end - size)) fail("it is no text: a zero byte is in it");
-      if (end > kLargestText) fail("it is larger than 2 GiB");
-      size = end;
-    } while (in);
-    if (in.bad()) fail("input error");
-    text.resize(size);
-  } catch (const std::bad_alloc&) {
-    fail("it does not fit into memory");
-  }
-  return text;
+void require_no_zero_byte(std::string_view text, const std::string& name) {
+  if (text.find('\0') != std::string_view::npos)
+    throw FileError(name + ": cannot be read: it is no text: a zero byte is in it");
 }
-
-std::string name_in_messages(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 }  // namespace requad::mesh

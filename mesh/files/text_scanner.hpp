@@ -64,6 +64,10 @@ class TextScanner {
   int line_ = 1;
 };
 
+// Both throw FileError "name: cannot be read: reason": for what is no text, as far as its start tells (UTF-16, a binary
+// OFF file), and for a text with a zero byte.
+void require_text(std::string_view start, const std::string& name);
+void require_no_zero_byte(std::string_view text, const std::string& name);
 // The content of a text file or pipe, or of standard input for "-": at most 2 GiB without a zero byte. Throws FileError
 // "path: cannot be read: reason". Of a pipe that has no end, or no text, no more is read than shows that.
 std::string read_text(const std::string& path);

@@ -12,8 +12,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,11 +28,16 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 // Coordinates are at most this large, so that products of four lengths are finite.
 constexpr double kLargestCoordinate = 1e70;
 
+// The bits of a number. (Like std::bit_cast, which the library of Emscripten 3.1.6 lacks.)
+inline std::uint64_t bits_of(double x) {
+  std::uint64_t bits = 0;
+  static_assert(sizeof bits == sizeof x);
+  std::memcpy(&bits, &x, sizeof x);
+  return bits;
+}
 // Whether two positions are the same to the last bit. (A file distinguishes 0 and -0, which are equal.)
 inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return bits_of(x) == bits_of(y); });
 }
 
 // The unit vector along v; zero if v is zero or not finite.

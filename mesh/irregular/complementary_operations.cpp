@@ -110,6 +110,12 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
 
 }  // namespace
 
+std::vector<VertexId> usual_helpers(const Editor& editor, BreadthFirstDistances& distances, VertexId three,
+                                    VertexId five) {
+  return nearest(editor, distances, three, kUsualHelpers,
+                 [&](VertexId v) { return v != three && v != five && editor.sectors().is_irregular(v); });
+}
+
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers) {
   const Sectors& sectors = editor.sectors();

@@ -51,6 +51,11 @@ std::vector<VertexId> nearest(const Editor& editor, BreadthFirstDistances& dista
   return found;
 }
 
+// The helpers that cancel_pair() takes if a user names none: the irregular vertices nearest to the v3, at most this many.
+inline constexpr int kUsualHelpers = 8;
+std::vector<VertexId> usual_helpers(const Editor& editor, BreadthFirstDistances& distances, VertexId three,
+                                    VertexId five);
+
 // What a sequence of pair moves made of a pair.
 struct PairResult {
   Refusal refusal = Refusal::none;

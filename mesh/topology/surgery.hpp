@@ -18,6 +18,8 @@ class MeshSurgery {
   void collapse(HalfEdgeId h);
   // Returns v -> a in the new face.
   HalfEdgeId split(HalfEdgeId first, HalfEdgeId last, int corner);
+  // Lets the fan of v start at `first`, a half-edge out of v, which invariant topology-3 allows.
+  void restart(VertexId v, HalfEdgeId first) { m_.out_[v.slot()] = first; }
 
  private:
   HalfEdgeId& twin(HalfEdgeId h) { return m_.sides_[h.slot()].twin; }
@@ -27,8 +29,6 @@ class MeshSurgery {
     twin(h) = other;
     if (other.valid()) twin(other) = h;
   }
-  // Lets the fan of v start at `first`, because v may have lost the half-edge at which it started.
-  void restart(VertexId v, HalfEdgeId first) { m_.out_[v.slot()] = first; }
   FaceId new_face();
   VertexId new_vertex();
 

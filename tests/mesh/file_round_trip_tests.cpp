@@ -1,11 +1,14 @@
 // Files: nothing is lost between a file and a mesh. Also subdivided polygons, feature files and real meshes.
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <random>
 
 #include "mesh/files/feature_edges.hpp"
+#include "mesh/files/portable_charconv.hpp"
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
@@ -54,6 +57,59 @@ TEST_CASE("what was read is written to the same bits, in the same order (files-5
     }
   }
   CHECK(obj_text(back.mesh, back.positions) == text);
+}
+
+TEST_CASE("numbers are written and read alike where the standard library cannot", "[files]") {
+  const auto written = [](auto value) {
+    std::array<char, 32> buffer;
+    return std::string(buffer.data(), portable::to_chars(buffer.data(), buffer.data() + buffer.size(), value));
+  };
+  const auto standard = [](auto value) {
+    std::array<char, 32> buffer;
+    return std::string(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+  };
+  std::vector<double> values{0,       -0.0,
+                             1,       -1,
+                             0.1,     0.5,
+                             10,      100000,
+                             1234567, 1e-4,
+                             1e-5,    0.0001234,
+                             1e5,     1e6,
+                             1e21,    1e22,
+                             1e70,    123456789012345680.0,
+                             5e-324,  2.2250738585072014e-308,
+                             1e-70};
+  std::mt19937_64 random(3);
+  while (values.size() < 20'000) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) values.push_back(value);
+    values.push_back(std::uniform_real_distribution<>(-100, 100)(random));
+    values.push_back(std::round(1e6 * values.back()) / 1e6);
+  }
+  int differences = 0;
+  for (const double value : values) {
+    const std::string text = written(value);
+    double back = 1;
+    REQUIRE(portable::from_chars(text.data(), text.data() + text.size(), back).ec == std::errc());
+    REQUIRE(bits_of(back) == bits_of(value));
+    CAPTURE(text, standard(value));
+    REQUIRE(text.size() == standard(value).size());
+    differences += text == standard(value) ? 0 : 1;
+    const auto single = static_cast<float>(value);
+    if (std::isfinite(single)) REQUIRE(written(single).size() == standard(single).size());
+  }
+  CHECK(differences <= 2);  // next to powers of two, where another text of the same length can be nearer
+  for (const std::string text :
+       {"1",   "-1.5e+3x", "1e",  "1e+",     ".5",    "5.",      ".",      "-",     "",      "+1", " 1",  "0x10",
+        "inf", "-INF",     "nan", "infinit", "1e999", "-1e-999", "1e-320", "00012", "1.5.2", "e5", "-.e1"}) {
+    CAPTURE(text);
+    double a = 7, b = 7;
+    const auto mine = portable::from_chars(text.data(), text.data() + text.size(), a);
+    const auto theirs = std::from_chars(text.data(), text.data() + text.size(), b);
+    CHECK(mine.ec == theirs.ec);
+    CHECK(mine.ptr == theirs.ptr);
+    if (!std::isnan(b)) CHECK(bits_of(a) == bits_of(b));
+  }
 }
 
 TEST_CASE("subdivision has V + E + F vertices, old ones first, and a face for each corner", "[files]") {

@@ -47,6 +47,7 @@ const Table kMayInclude{
     {"mesh/program", {}},
     {"mesh/pictures", {"mesh/topology", "mesh/geometry"}},
     {"mesh/examples", kMesh},
+    {"mesh/web", kMesh},
     {"mesh/commands", kMesh + kPlumbing + Rooms{"mesh/pictures"}},
 
     {"enumerate/search", kMesh + kPlumbing},
@@ -72,7 +73,7 @@ const Table kMayInclude{
     {"tests/support/mesh", kMesh + Rooms{"tests/support"}},
     {"tests/support/enumerate", kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh"}},
     {"tests/theory", kTheory + Rooms{"tests/support", "tests/support/theory"}},
-    {"tests/mesh", kMesh + kPlumbing + Rooms{"mesh/pictures", "tests/support", "tests/support/mesh"}},
+    {"tests/mesh", kMesh + kPlumbing + Rooms{"mesh/pictures", "mesh/web", "tests/support", "tests/support/mesh"}},
     {"tests/enumerate",
      kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
     {"tests/verify/check", Rooms{"verify/check", "mesh/program", "tests/support"}},

@@ -1,4 +1,4 @@
-#include "mesh/commands/possible_moves.hpp"
+#include "mesh/irregular/possible_moves.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -6,24 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/commands/pair_edit.hpp"
+#include "mesh/editing/element_map.hpp"
 
-namespace requad::edit {
-
-using mesh::AdjacentPair;
-using mesh::EditRefusal;
-using mesh::HalfEdgeId;
-using mesh::PairMove;
-using mesh::PairTransport;
-using mesh::QuadMesh;
-using mesh::Refusal;
-using mesh::VertexId;
+namespace requad::mesh {
 
 namespace {
 
 // Counts the operations since the mark.
-void count_operations(Session& session, std::size_t mark, PossibleMove& move) {
-  const auto& edits = session.editor().edits();
+void count_operations(const Editor& editor, std::size_t mark, PossibleMove& move) {
+  const auto& edits = editor.edits();
   for (std::size_t i = mark; i < edits.size(); ++i) {
     if (!edits[i].operates) continue;
     ++move.operations;
@@ -33,8 +24,8 @@ void count_operations(Session& session, std::size_t mark, PossibleMove& move) {
 }
 
 // Makes the step if the mesh allows it.
-void make_step(Session& session, const PairMove& step, VertexId a, PossibleMove& move) {
-  const mesh::MoveReport report = mesh::move_pair(session.editor(), step);
+void make_step(Editor& editor, const PairMove& step, VertexId a, PossibleMove& move) {
+  const MoveReport report = move_pair(editor, step);
   move.refusal = report.refusal;
   if (move.refusal != Refusal::none) return;
   move.after = report.after;
@@ -46,41 +37,41 @@ void make_step(Session& session, const PairMove& step, VertexId a, PossibleMove&
 
 // Transports the adjacent pair `start`, which leaves the first of the two vertices, to the second, unless that is
 // refused.
-void make_transport(Session& session, PairTransport& transport, std::array<VertexId, 2> ends, AdjacentPair start,
+void make_transport(Editor& editor, PairTransport& transport, std::array<VertexId, 2> ends, AdjacentPair start,
                     PossibleMove& move) {
-  const QuadMesh& m = session.mesh();
+  const QuadMesh& m = editor.mesh();
   const VertexId moved = start.u(m) == ends[0] ? start.v(m) : start.u(m);
-  const mesh::TransportReport report = transport.carry(start, std::array{ends[1]});
+  const TransportReport report = transport.carry(start, std::array{ends[1]});
   move.refusal = report.refusal;
+  move.obstacles = report.obstacles;
   if (move.refusal != Refusal::none) return;
-  const auto if_irregular = [&session](VertexId v) {
-    return session.mesh().is_live(v) && session.editor().sectors().is_irregular(v) ? v : VertexId();
+  const auto if_irregular = [&editor](VertexId v) {
+    return editor.mesh().is_live(v) && editor.sectors().is_irregular(v) ? v : VertexId();
   };
   const VertexId u = if_irregular(report.pair.u(m)), v = if_irregular(report.pair.v(m));
   move.after = {if_irregular(moved), u.valid() && u != moved ? u : v};
   move.effect = "the other moves by an edge too";
 }
 
-std::string transport_name(const Session& session, VertexId from, AdjacentPair start) {
-  const QuadMesh& m = session.mesh();
+std::string transport_name(const QuadMesh& m, VertexId from, AdjacentPair start) {
   const VertexId next = start.u(m) == from ? start.v(m) : start.u(m);
-  return "from " + std::to_string(session.number(from)) + " to " + std::to_string(session.number(next));
+  return "from " + std::to_string(file_number(m, from)) + " to " + std::to_string(file_number(m, next));
 }
 
 // The adjacent pairs that can leave the vertex. The vertex is the u of such a pair where a sector lacks a quad, and the
 // v where a sector has one quad too many.
-std::vector<AdjacentPair> starts_at(const Session& session, const mesh::Sectors& sectors, VertexId from) {
+std::vector<AdjacentPair> starts_at(const QuadMesh& m, const Sectors& sectors, VertexId from) {
   std::vector<AdjacentPair> starts;
   for (const int excess : {-1, 1}) {
     sectors.for_each_edge(from, excess, [&](VertexId, HalfEdgeId at) {
-      const bool leaves_from = session.mesh().origin(at) == from;
+      const bool leaves_from = m.origin(at) == from;
       starts.push_back({at, (excess < 0) != leaves_from});
     });
   }
   return starts;
 }
 
-bool has_sector_of_excess_one(const mesh::Sectors& sectors, VertexId v) {
+bool has_sector_of_excess_one(const Sectors& sectors, VertexId v) {
   bool found = false;
   sectors.for_each_sector(v, [&](HalfEdgeId h) { found = found || std::abs(sectors.excess(h)) == 1; });
   return found;
@@ -88,9 +79,12 @@ bool has_sector_of_excess_one(const mesh::Sectors& sectors, VertexId v) {
 
 }  // namespace
 
-Refusal for_each_move(Session& session, VertexId a, VertexId b, const std::function<bool(const PossibleMove&)>& visit) {
-  mesh::Editor& editor = session.editor();
-  const mesh::Sectors& sectors = editor.sectors();
+std::string extents_text(const PairFrame& frame) {
+  return "(" + std::to_string(frame.d1) + "," + std::to_string(frame.d2) + ")";
+}
+
+Refusal for_each_move(Editor& editor, VertexId a, VertexId b, const std::function<bool(const PossibleMove&)>& visit) {
+  const Sectors& sectors = editor.sectors();
   if (a == b || !has_sector_of_excess_one(sectors, a) || !has_sector_of_excess_one(sectors, b))
     return EditRefusal::wrong_valences;
   const std::size_t mark = editor.mark();
@@ -107,14 +101,14 @@ Refusal for_each_move(Session& session, VertexId a, VertexId b, const std::funct
   };
   // Steps are of free vertices only; features and boundaries allow transports alone.
   if (!editor.is_fixed(a) && !editor.is_fixed(b)) {
-    for (const PairMove& step : mesh::pair_moves(session.mesh(), a, b))
-      add(name(step.step), [&session, step, a](PossibleMove& move) { make_step(session, step, a, move); });
+    for (const PairMove& step : pair_moves(editor.mesh(), a, b))
+      add(name(step.step), [&editor, step, a](PossibleMove& move) { make_step(editor, step, a, move); });
   }
   if (candidates.empty()) {
     for (const std::array<VertexId, 2> ends : {std::array{a, b}, std::array{b, a}}) {
-      for (const AdjacentPair start : starts_at(session, sectors, ends[0])) {
-        add(transport_name(session, ends[0], start), [&session, &transport, ends, start, a](PossibleMove& move) {
-          make_transport(session, transport, ends, start, move);
+      for (const AdjacentPair start : starts_at(editor.mesh(), sectors, ends[0])) {
+        add(transport_name(editor.mesh(), ends[0], start), [&editor, &transport, ends, start, a](PossibleMove& move) {
+          make_transport(editor, transport, ends, start, move);
           if (ends[0] != a) std::swap(move.after[0], move.after[1]);
         });
       }
@@ -127,19 +121,11 @@ Refusal for_each_move(Session& session, VertexId a, VertexId b, const std::funct
     move.name = move.step;
     if (of_step[move.step] > 1) move.name += "." + std::to_string(++numbered[move.step]);
     candidate.make(move);
-    if (move.refusal == Refusal::none) count_operations(session, mark, move);
+    if (move.refusal == Refusal::none) count_operations(editor, mark, move);
     if (visit(move)) return Refusal::none;
     editor.roll_back(mark);
   }
   return Refusal::none;
 }
 
-bool names_one_vertex(const Session& session) { return session.options().words().size() == 2; }
-
-int refuse_one_vertex(Session& session) {
-  const VertexId v = session.vertex(session.options().words()[1]);
-  const bool irregular = session.editor().sectors().is_irregular(v);
-  return session.refused(session.describe(v), irregular ? EditRefusal::lone_vertex : EditRefusal::wrong_valences);
-}
-
-}  // namespace requad::edit
+}  // namespace requad::mesh

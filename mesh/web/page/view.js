@@ -1,0 +1,456 @@
+// The mesh on the screen: drawing by three.js, turning, and pointing. Nothing here knows what an edit is.
+
+const kShades = `
+  vec3 shade(vec3 colour, vec3 normal) {
+    float light = 0.62 + 0.38 * abs(normalize(normal).z);
+    return colour * light;
+  }`;
+
+// Quads with their edges, which are found by the corner coordinates (0 and 1 at the corners).
+const kQuadShaders = {
+  vertexShader: `
+    attribute vec2 place;
+    attribute float tint;
+    attribute float quad;
+    varying vec2 vPlace;
+    varying vec3 vNormal;
+    varying float vTint;
+    varying float vQuad;
+    void main() {
+      vPlace = place;
+      vNormal = normalMatrix * normal;
+      vTint = tint;
+      vQuad = quad;
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    }`,
+  fragmentShader: `
+    uniform vec3 colours[5];
+    uniform vec3 back;
+    uniform vec3 edge;
+    varying vec2 vPlace;
+    varying vec3 vNormal;
+    varying float vTint;
+    ${kShades}
+    void main() {
+      int kind = int(vTint + 0.5);
+      vec3 colour = kind == 1 ? colours[1] : kind == 2 ? colours[2] : kind == 3 ? colours[3] : kind == 4 ? colours[4] : colours[0];
+      if (!gl_FrontFacing && kind == 0) colour = back;
+      colour = shade(colour, vNormal);
+      vec2 width = fwidth(vPlace);
+      vec2 near = min(vPlace, 1.0 - vPlace) / max(width, vec2(1e-6));
+      float line = 1.0 - smoothstep(0.4, 1.2, min(near.x, near.y));
+      // Where edges are closer than some pixels they would hide the quads.
+      float room = clamp(0.35 / max(max(width.x, width.y), 1e-6), 0.0, 1.0);
+      gl_FragColor = vec4(mix(colour, edge, line * room * 0.85), 1.0);
+    }`,
+};
+
+// The number of what is drawn, as a colour: quads with alpha 1, markers with alpha 1/2.
+const kIdColour = `
+  vec4 number_as_colour(float number, float alpha) {
+    float low = mod(number, 256.0);
+    float middle = mod(floor(number / 256.0), 256.0);
+    return vec4(low, middle, floor(number / 65536.0), alpha * 255.0) / 255.0;
+  }`;
+
+// Irregular vertices: a triangle for a v3, a pentagon for a v5 and so on; a diamond for a v2.
+const kMarkerShaders = {
+  vertexShader: `
+    attribute float valence;
+    attribute float number;
+    attribute float chosen;
+    uniform float size;
+    uniform float lift;
+    varying float vValence;
+    varying float vNumber;
+    varying float vChosen;
+    void main() {
+      vValence = valence;
+      vNumber = number;
+      vChosen = chosen;
+      vec4 at = modelViewMatrix * vec4(position, 1.0);
+      at.z += lift;
+      gl_Position = projectionMatrix * at;
+      gl_PointSize = size * (chosen > 0.5 ? 1.5 : 1.0);
+    }`,
+  fragmentShader: `
+    uniform vec3 v2;
+    uniform vec3 v3;
+    uniform vec3 v5;
+    uniform vec3 v6;
+    uniform vec3 rim;
+    varying float vValence;
+    varying float vChosen;
+    float polygon(vec2 p, float corners) {
+      float part = 6.2831853 / corners;
+      float angle = atan(p.x, -p.y);  // a corner on top
+      return cos(floor(0.5 + angle / part) * part - angle) * length(p) / cos(0.5 * part);
+    }
+    void main() {
+      vec2 p = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
+      float valence = floor(vValence + 0.5);
+      p.y += valence == 3.0 ? 0.2 : 0.0;
+      float reach = valence == 2.0 ? abs(p.x) + abs(p.y) / 0.62 : polygon(p, valence);
+      reach /= 0.92;
+      if (reach > 1.0) discard;
+      vec3 colour = valence == 2.0 ? v2 : valence == 3.0 ? v3 : valence == 5.0 ? v5 : v6;
+      float inside = vChosen > 0.5 ? 0.6 : 0.78;
+      gl_FragColor = vec4(reach > inside ? rim : colour, 1.0);
+    }`,
+};
+
+function pickShaders(shaders, number, alpha) {
+  return {
+    vertexShader: shaders.vertexShader,
+    fragmentShader: `
+      varying float ${number};
+      ${kIdColour}
+      void main() { gl_FragColor = number_as_colour(${number}, ${alpha}); }`,
+  };
+}
+
+class View {
+  // `canvas` fills its parent.
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: false, preserveDrawingBuffer: false});
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enableKeys = false;
+    this.controls.rotateSpeed = 0.8;
+    this.controls.addEventListener("change", () => this.draw());
+    this.radius = 1;
+    this.capacity = 0;
+    this.uploaded = 0;  // bytes, since the page was opened
+    this.tinted = [];
+    const quads = {
+      side: THREE.DoubleSide, extensions: {derivatives: true},
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    };
+    this.material = new THREE.ShaderMaterial({
+      ...kQuadShaders, ...quads,
+      uniforms: {colours: {value: Array.from({length: 5}, () => new THREE.Color())}, back: {value: new THREE.Color()}, edge: {value: new THREE.Color()}},
+    });
+    this.pickMaterial = new THREE.ShaderMaterial({...pickShaders(kQuadShaders, "vQuad", "1.0"), ...quads});
+    const colours = Object.fromEntries(["v2", "v3", "v5", "v6", "rim"].map((name) => [name, {value: new THREE.Color()}]));
+    this.markerUniforms = {...colours, size: {value: 18}, lift: {value: 0}};
+    this.markerMaterial = new THREE.ShaderMaterial({...kMarkerShaders, uniforms: this.markerUniforms});
+    this.markerPickMaterial = new THREE.ShaderMaterial({
+      ...pickShaders(kMarkerShaders, "vNumber", "0.5"),
+      uniforms: {size: {value: 30}, lift: this.markerUniforms.lift},
+    });
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
+    this.mesh.frustumCulled = false;
+    this.markers = new THREE.Points(new THREE.BufferGeometry(), this.markerMaterial);
+    this.markers.frustumCulled = false;
+    this.lines = new THREE.Group();
+    this.arrows = new THREE.Group();
+    this.scene.add(this.mesh, this.markers, this.lines, this.arrows);
+    this.pickWindow = new THREE.WebGLRenderTarget(33, 33);
+    this.ray = new THREE.Raycaster();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  resize() {
+    const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(window.devicePixelRatio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  draw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.render();
+    });
+  }
+
+  render() {
+    const ratio = this.renderer.getPixelRatio();
+    this.markerUniforms.size.value = 20 * ratio;
+    const size = this.renderer.getSize(new THREE.Vector2());
+    for (const line of this.lines.children) line.material.resolution.copy(size);
+    this.renderer.render(this.scene, this.camera);
+    this.drawn = (this.drawn || 0) + 1;
+  }
+
+  // Colours by their names in the style sheet.
+  setColours(colour) {
+    this.renderer.setClearColor(new THREE.Color(colour("canvas")));
+    this.material.uniforms.colours.value =
+        ["quad", "alpha", "chosen", "change", "change-strong"].map((name) => new THREE.Color(colour(name)));
+    this.material.uniforms.back.value.set(colour("back"));
+    this.material.uniforms.edge.value.set(colour("edge"));
+    for (const name of ["v2", "v3", "v5", "v6", "rim"]) this.markerUniforms[name].value.set(colour(name));
+    this.draw();
+  }
+
+  // --- the mesh ------------------------------------------------------------------------------------------------------
+
+  // Uploads all arrays, for a mesh that was opened or has outgrown its buffers.
+  setMesh(library, capacity) {
+    this.capacity = capacity;
+    const geometry = new THREE.BufferGeometry();
+    this.corners = new THREE.InterleavedBuffer(library.corners(capacity).slice(), 6);
+    geometry.setAttribute("position", new THREE.InterleavedBufferAttribute(this.corners, 3, 0));
+    geometry.setAttribute("normal", new THREE.InterleavedBufferAttribute(this.corners, 3, 3));
+    const place = new Float32Array(capacity * 8), quad = new Float32Array(capacity * 4);
+    for (let i = 0; i < capacity; ++i) {
+      place.set([0, 0, 1, 0, 1, 1, 0, 1], 8 * i);
+      quad.fill(i, 4 * i, 4 * i + 4);
+    }
+    geometry.setAttribute("place", new THREE.BufferAttribute(place, 2));
+    geometry.setAttribute("quad", new THREE.BufferAttribute(quad, 1));
+    this.tint = new THREE.BufferAttribute(new Float32Array(capacity * 4), 1);
+    geometry.setAttribute("tint", this.tint);
+    this.triangles = new THREE.BufferAttribute(library.triangles(capacity).slice(), 1);
+    geometry.setIndex(this.triangles);
+    for (const buffer of [this.corners, this.tint, this.triangles]) this.keepHandle(buffer);
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
+    this.tinted = [];
+    this.uploaded += capacity * (4 * 6 + 6 + 8 + 4 + 4) * 4;
+    this.draw();
+  }
+
+  // three.js can update only one range of a buffer. Quads that changed lie anywhere, so they are written to the buffer
+  // itself, whose handle is bound when three.js has made it.
+  keepHandle(buffer) {
+    const gl = this.renderer.getContext();
+    const binding = buffer === this.triangles ? gl.ELEMENT_ARRAY_BUFFER_BINDING : gl.ARRAY_BUFFER_BINDING;
+    buffer.onUpload(() => { buffer.handle = gl.getParameter(binding); });
+  }
+
+  write(buffer, target, offset, values) {
+    buffer.array.set(values, offset);
+    if (!buffer.handle) return;  // three.js uploads all of it when it draws next
+    const gl = this.renderer.getContext();
+    gl.bindBuffer(target, buffer.handle);
+    gl.bufferSubData(target, 4 * offset, values);
+    this.uploaded += 4 * values.length;
+  }
+
+  // Uploads these quads.
+  updateQuads(library, quads) {
+    const gl = this.renderer.getContext();
+    const corners = library.corners(this.capacity), triangles = library.triangles(this.capacity);
+    // The index buffer belongs to the vertex array that is bound; none may be.
+    for (const f of quads) this.write(this.corners, gl.ARRAY_BUFFER, 24 * f, corners.subarray(24 * f, 24 * f + 24));
+    for (const f of quads) this.write(this.triangles, gl.ELEMENT_ARRAY_BUFFER, 6 * f, triangles.subarray(6 * f, 6 * f + 6));
+    this.renderer.state.reset();
+    this.draw();
+  }
+
+  // Tints quads: a list of [quads, kind], of which later ones win. All others lose theirs.
+  setTints(lists) {
+    const kinds = new Map(this.tinted.map((f) => [f, 0]));
+    for (const [quads, kind] of lists) {
+      for (const f of quads) kinds.set(f, kind);
+    }
+    const gl = this.renderer.getContext();
+    for (const [f, kind] of kinds) this.write(this.tint, gl.ARRAY_BUFFER, 4 * f, new Float32Array(4).fill(kind));
+    this.tinted = [...kinds].filter(([, kind]) => kind !== 0).map(([f]) => f);
+    this.renderer.state.reset();
+    this.draw();
+  }
+
+  // Irregular vertices: [{id, valence, at}]; those in `chosen` are larger.
+  setMarkers(vertices, chosen) {
+    const geometry = new THREE.BufferGeometry();
+    const column = (values, size) => new THREE.BufferAttribute(new Float32Array(values), size);
+    geometry.setAttribute("position", column(vertices.flatMap((v) => v.at), 3));
+    geometry.setAttribute("valence", column(vertices.map((v) => v.valence), 1));
+    geometry.setAttribute("number", column(vertices.map((v) => v.id), 1));
+    geometry.setAttribute("chosen", column(vertices.map((v) => (chosen.includes(v.id) ? 1 : 0)), 1));
+    this.markers.geometry.dispose();
+    this.markers.geometry = geometry;
+    this.draw();
+  }
+
+  // --- lines and arrows ------------------------------------------------------------------------------------------------
+
+  clear(group) {
+    for (const child of [...group.children]) {
+      group.remove(child);
+      child.traverse((part) => {
+        if (part.geometry) part.geometry.dispose();
+        if (part.material) part.material.dispose();
+      });
+    }
+  }
+
+  // Polylines: a list of [paths, colour, width in pixels]; a path is a list of points.
+  setLines(lists) {
+    this.clear(this.lines);
+    for (const [paths, colour, width] of lists) {
+      const positions = [];
+      for (const path of paths) {
+        for (let i = 1; i < path.length; ++i) positions.push(...path[i - 1], ...path[i]);
+      }
+      if (positions.length === 0) continue;
+      const geometry = new THREE.LineSegmentsGeometry();
+      geometry.setPositions(positions);
+      const material = new THREE.LineMaterial({
+        color: new THREE.Color(colour).getHex(), linewidth: width,
+        polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2,
+      });
+      const line = new THREE.LineSegments2(geometry, material);
+      line.frustumCulled = false;
+      this.lines.add(line);
+    }
+    this.draw();
+  }
+
+  // Arrows: a list of {from, to, colour, tag, faint}. `length` is that of each; they are seen through the mesh.
+  setArrows(arrows, length) {
+    this.clear(this.arrows);
+    for (const {from, to, colour, tag, faint} of arrows) {
+      const start = new THREE.Vector3(...from);
+      const direction = new THREE.Vector3(...to).sub(start);
+      if (direction.length() === 0) continue;
+      direction.normalize();
+      const arrow = new THREE.Group();
+      const material = () => new THREE.MeshBasicMaterial(
+          {color: colour, depthTest: false, transparent: true, opacity: faint ? 0.3 : 1});
+      const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.07 * length, 0.07 * length, 0.6 * length, 10), material());
+      shaft.position.y = 0.6 * length;
+      const head = new THREE.Mesh(new THREE.ConeGeometry(0.2 * length, 0.4 * length, 16), material());
+      head.position.y = 1.1 * length;
+      const handle = new THREE.Mesh(new THREE.CylinderGeometry(0.26 * length, 0.26 * length, 1.05 * length, 8), material());
+      handle.position.y = 0.8 * length;
+      handle.material.visible = false;  // what can be hit
+      for (const part of [shaft, head, handle]) {
+        part.userData.tag = tag;
+        part.renderOrder = faint ? 2 : 3;
+        arrow.add(part);
+      }
+      arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
+      arrow.position.copy(start);
+      arrow.userData.tag = tag;
+      this.arrows.add(arrow);
+    }
+    this.draw();
+  }
+
+  // --- the camera ------------------------------------------------------------------------------------------------------
+
+  // Looks at the whole mesh from the front and above.
+  lookAt(centre, radius) {
+    this.radius = radius || 1;
+    this.centre = new THREE.Vector3(...centre);
+    this.markerUniforms.lift.value = 0.015 * this.radius;
+    this.camera.near = 0.01 * this.radius;
+    this.camera.far = 100 * this.radius;
+    this.controls.target.copy(this.centre);
+    const narrow = Math.min(1, this.camera.aspect);
+    const distance = this.radius / Math.sin((Math.PI / 180) * 15) / narrow;
+    this.camera.position.copy(this.centre).add(new THREE.Vector3(0.45, 0.35, 0.85).normalize().multiplyScalar(distance));
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = 0.05 * this.radius;
+    this.controls.maxDistance = 30 * this.radius;
+    this.controls.update();
+    this.draw();
+  }
+
+  // Turns by angles, or comes nearer by a factor.
+  turn(right, up) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const at = new THREE.Spherical().setFromVector3(offset);
+    at.theta += right;
+    at.phi = Math.min(Math.max(at.phi + up, 0.05), Math.PI - 0.05);
+    this.camera.position.copy(this.controls.target).add(offset.setFromSpherical(at));
+    this.controls.update();
+    this.draw();
+  }
+  zoom(factor) {
+    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.draw();
+  }
+
+  // Turns so that these points are in front, if they are not in view.
+  show(points) {
+    if (points.length === 0) return;
+    const middle = points.reduce((sum, p) => sum.add(new THREE.Vector3(...p)), new THREE.Vector3())
+        .multiplyScalar(1 / points.length);
+    const visible = points.every((p) => {
+      const at = this.project(p);
+      const hit = at && this.pick(at.x, at.y);
+      if (!hit || !this.inside(at)) return false;
+      const distance = this.camera.position.distanceTo(new THREE.Vector3(...p));
+      return hit.kind === "marker" || (hit.kind === "quad" && this.depthAt(hit.quad) > distance - 0.08 * this.radius);
+    });
+    if (visible) return;
+    const outward = middle.clone().sub(this.centre);
+    if (outward.length() < 1e-9) return;
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.controls.target.copy(this.centre);
+    this.camera.position.copy(this.centre).add(outward.normalize().multiplyScalar(distance));
+    this.controls.update();
+    this.draw();
+  }
+  depthAt(quad) {
+    const at = this.corners.array.subarray(24 * quad, 24 * quad + 3);
+    return this.camera.position.distanceTo(new THREE.Vector3(...at));
+  }
+  inside({x, y}) {
+    const box = this.canvas.getBoundingClientRect();
+    return x > 0 && y > 0 && x < box.width && y < box.height;
+  }
+
+  // Where a point is on the canvas, in CSS pixels.
+  project(point) {
+    this.camera.updateMatrixWorld();
+    const p = new THREE.Vector3(...point).project(this.camera);
+    const box = this.canvas.getBoundingClientRect();
+    return {x: (p.x + 1) / 2 * box.width, y: (1 - p.y) / 2 * box.height};
+  }
+
+  // --- pointing --------------------------------------------------------------------------------------------------------
+
+  // What is at a place of the canvas, in CSS pixels: {kind: "arrow", tag}, {kind: "marker", id}, {kind: "quad", quad,
+  // origin, direction}, or null.
+  pick(x, y) {
+    const box = this.canvas.getBoundingClientRect();
+    this.camera.updateMatrixWorld();
+    this.ray.setFromCamera({x: 2 * x / box.width - 1, y: 1 - 2 * y / box.height}, this.camera);
+    const [arrow] = this.ray.intersectObjects(this.arrows.children, true);
+    if (arrow) return {kind: "arrow", tag: arrow.object.userData.tag};
+    const [red, green, blue, alpha] = this.numberAt(x, y);
+    const number = red + 256 * green + 65536 * blue;
+    if (alpha === 0) return null;
+    if (alpha < 200) return {kind: "marker", id: number};
+    const {origin, direction} = this.ray.ray;
+    return {kind: "quad", quad: number, origin: origin.toArray(), direction: direction.toArray()};
+  }
+
+  // Draws a small window round the place with numbers as colours, and reads the pixel in its middle.
+  numberAt(x, y) {
+    const box = this.canvas.getBoundingClientRect();
+    const size = this.pickWindow.width, pixel = new Uint8Array(4), before = this.renderer.getClearColor().clone();
+    this.camera.setViewOffset(box.width, box.height, Math.floor(x) - (size - 1) / 2, Math.floor(y) - (size - 1) / 2, size, size);
+    this.mesh.material = this.pickMaterial;
+    this.markers.material = this.markerPickMaterial;
+    this.lines.visible = this.arrows.visible = false;
+    this.renderer.setRenderTarget(this.pickWindow);
+    this.renderer.setClearColor(0, 0);
+    this.renderer.clear();
+    this.renderer.render(this.scene, this.camera);
+    this.renderer.readRenderTargetPixels(this.pickWindow, (size - 1) / 2, (size - 1) / 2, 1, 1, pixel);
+    this.renderer.setRenderTarget(null);
+    this.renderer.setClearColor(before, 1);
+    this.lines.visible = this.arrows.visible = true;
+    this.mesh.material = this.material;
+    this.markers.material = this.markerMaterial;
+    this.camera.clearViewOffset();
+    return pixel;
+  }
+}

@@ -1,0 +1,197 @@
+// What the editor in the browser asks of the library: open a mesh, say what can be done, show what it would do, do it,
+// undo it, and write the result. The page draws and listens; everything that knows quads is here.
+//
+// Terms
+//   selection   what the user has chosen: a vertex, a pair of vertices, an edge or a quad.
+//   offer       an edit of the selection, by its name, with its effect; or with the reason why it is refused.
+//   step        an edit that was made, with the smoothing around it. undo() undoes one step.
+//   number      of a vertex: the one that it has in the file of the present mesh, counted from 1, as requad-edit counts.
+//
+// Laws
+//   web-1  What an offer shows is exact: perform() of this offer changes the valences of just the `vertices`, and the
+//          corners of just the `quads`, that it lists.
+//   web-2  undo() restores mesh, ids and positions to the last bit, and redo() what undo() undid. offers() changes
+//          nothing.
+//   web-3  The steps are edits of requad-edit. `requad-edit apply` makes the exported mesh of the input and the exported
+//          script, byte by byte. (Of transports that are equally short, cancel may take another one than requad-edit.)
+// Features are the seams of texture coordinates, as for requad-edit without options.
+//
+// Costs: an offer and a step cost what their operations cost, whatever the size of the mesh; the numbers of vertices are
+// counted once after each step, O(V). open(), script() and export_obj() are linear in the mesh.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mesh/editing/editor.hpp"
+#include "mesh/files/surface.hpp"
+#include "mesh/geometry/nearest_points.hpp"
+#include "mesh/topology/distances.hpp"
+
+namespace requad::web {
+
+using mesh::FaceId;
+using mesh::VertexId;
+
+struct Selection {
+  enum class Kind { vertex, pair, edge, quad };
+  Kind kind = Kind::vertex;
+  VertexId a;  // the vertex, or the first of two
+  VertexId b;  // of a pair or an edge
+  FaceId quad;
+
+  friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+// From where a vertex of the selection moves to, in space. Both are equal if it stays.
+struct Arrow {
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+};
+
+struct Offer {
+  std::string name;  // one of its kind in the selection: "slide_first", "move-v3 flip left to 149"
+  std::string why;   // the reason of a refusal; empty if the edit can be made, and only then the rest has a meaning
+  std::string effect;
+  int operations = 0;
+  int quads_made = 0;
+  int quads_deleted = 0;
+  std::vector<VertexId> vertices;  // of the present mesh, by id: those that would have another valence or be gone
+  std::vector<FaceId> quads;       // of the present mesh, by id: those that would have other corners or be gone
+  std::vector<Arrow> arrows;       // one for each vertex of a pair that moves
+  std::array<VertexId, 2> after;   // where the vertices of a pair would be; none for one that would be regular
+
+  bool is_legal() const { return why.empty(); }
+};
+
+struct Offers {
+  std::string why;   // why nothing at all is offered; else empty
+  std::string hint;  // what would help then
+  std::vector<Offer> list;
+};
+
+struct Description {
+  int vertices = 0;
+  int quads = 0;
+  int boundary_loops = 0;
+  int genus = 0;
+  std::map<int, int> irregular;  // the number of irregular vertices of each valence
+  int index_sum = 0;             // of 4 - l(v) over the irregular vertices, which no edit inside the mesh changes
+  // So many irregular vertices of valence 3 and 5 there must be with this sum: |index_sum|.
+  int least_irregular() const { return index_sum < 0 ? -index_sum : index_sum; }
+};
+
+// What changed since it was asked last, for the screen. A quad that is listed may be gone.
+struct Changes {
+  bool everything = false;  // a mesh was opened; the lists are empty
+  std::vector<VertexId> vertices;
+  std::vector<FaceId> quads;
+};
+
+struct Step {
+  std::string words;      // what was done, for the history
+  std::size_t begin = 0;  // its first edit, as Editor::mark() counts
+  std::size_t end = 0;    // that after its last one
+};
+
+class Session {
+ public:
+  // The text of an OBJ or OFF file of this name; `subdivided` cuts polygons into quads. Throws FileError, one line with
+  // name, line and reason.
+  static mesh::Surface read(std::string_view text, const std::string& name, bool subdivided);
+  // Starts from a surface that was read.
+  explicit Session(mesh::Surface input);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  const mesh::QuadMesh& mesh() const { return mesh_; }
+  const mesh::Positions& positions() const { return positions_; }
+  Description describe() const;
+  const std::set<VertexId>& irregular() const { return irregular_; }
+  int number(VertexId v) const;
+  // The vertex with this number, or none.
+  VertexId numbered(int number) const;
+  // "12 (v3)".
+  std::string name_of(VertexId v) const;
+  // The irregular vertices nearest to v, nearest first.
+  std::vector<VertexId> nearest_irregular(VertexId v, int most);
+  // The vertices of the separatrices of v; of all its straight paths if v is regular.
+  std::vector<std::vector<VertexId>> separatrices(VertexId v) const;
+  // The quads of R_alpha and the vertices round it; empty without a rectangle.
+  struct Rectangle {
+    std::vector<FaceId> quads;
+    std::vector<VertexId> rim;
+  };
+  Rectangle rectangle(VertexId a, VertexId b) const;
+  // What a ray that hits the quad points at: a corner, an edge, or the quad itself.
+  Selection pointed_at(FaceId quad, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  // Whether the elements of the selection are there.
+  bool is_live(const Selection& selection) const;
+
+  // The edits of a selection:
+  //   vertex  the atomic operations of section 5 at it
+  //   pair    the moves of section 6, or transports if the pair spans no rectangle; merging, aligning, cancelling
+  //   edge    the two flips, and the atomic operations along it
+  //   quad    the two collapses
+  // The offers stay valid until the next step, undo or redo, or until others are asked for.
+  const Offers& offers(const Selection& selection);
+  // Makes the edit of this name and smooths around it. Returns "", or why it was refused: nothing changes then.
+  std::string perform(const Selection& selection, const std::string& name);
+
+  const std::vector<Step>& steps() const { return steps_; }          // done, the first one first
+  const std::vector<Step>& undone() const { return undone_steps_; }  // the one to redo next comes last
+  bool undo();
+  bool redo();
+  // The operations of a step that is done, as lines of a script.
+  std::vector<std::string> lines(const Step& step) const;
+
+  // What an edit script, and an OBJ file with its attributes, say (requad-edit --script, -o).
+  std::string script() const;
+  std::string export_obj() const;
+
+  Changes take_changes() { return std::exchange(changes_, {}); }
+
+ private:
+  struct Outcome;
+  // Each makes edits of the selection in turn, adds an offer for each, and rolls it back.
+  mesh::Refusal offer_all(const Selection& selection);
+  mesh::Refusal offer_moves(VertexId a, VertexId b);
+  void offer_complementary(VertexId a, VertexId b);
+  void offer_atomic(const Selection& selection);
+  void offer_basic(const mesh::BasicOperation& operation, const std::string& name);
+  void add_offer(std::size_t mark, Offer offer);
+  Outcome outcome_since(std::size_t mark) const;
+  void compare(const Outcome& outcome, Offer& offer) const;
+  void note_changes(const std::vector<VertexId>& vertices, const std::vector<FaceId>& quads);
+  void note_edits(std::size_t begin, std::size_t end, std::vector<VertexId>& vertices,
+                  std::vector<FaceId>& quads) const;
+  std::string words_for(const Selection& selection, const std::string& name) const;
+
+  mesh::Surface input_;
+  mesh::QuadMesh mesh_;
+  mesh::Positions positions_;
+  mesh::FeatureSet features_;
+  mesh::SectorPlan plan_;
+  mesh::Editor editor_;
+  mesh::SurfaceIndex surface_;  // of the input, for projections
+  mesh::BreadthFirstDistances distances_;
+  int boundary_loops_ = 0;
+  int genus_ = 0;
+  std::set<VertexId> irregular_;
+  mutable std::vector<int> numbers_;  // by vertex slot; empty if they are to be counted anew
+  std::optional<Selection> offered_to_;
+  Offers offered_;
+  std::vector<std::vector<mesh::Edit>> offered_edits_;  // by offer: what perform() makes
+  std::vector<Step> steps_;
+  std::vector<Step> undone_steps_;
+  std::vector<std::vector<mesh::Edit>> undone_edits_;  // of the undone steps
+  Changes changes_;
+};
+
+}  // namespace requad::web
