@@ -7,7 +7,6 @@
 
 using namespace requad;
 using namespace requad::tests;
-using nlohmann::json;
 
 namespace {
 
@@ -59,7 +58,7 @@ TEST_CASE("in a browser, the report can be read at any width, in the dark and on
       browser.set_dark(dark);
       browser.open(path);
       CHECK(browser.evaluate("document.documentElement.scrollWidth") <= (phone ? 390 : 1280));
-      CHECK(browser.evaluate(kTooFaint) == json::array());
+      CHECK(browser.evaluate(kTooFaint) == nlohmann::json::array());
       CHECK(browser.evaluate(kLeastLetters).get<double>() > 9.5);
       CHECK(browser.evaluate("getComputedStyle(document.body).backgroundColor") ==
             (dark ? "rgb(18, 22, 28)" : "rgb(255, 255, 255)"));
@@ -78,7 +77,7 @@ TEST_CASE("in a browser, the report can be read at any width, in the dark and on
   browser.set_print(true);
   browser.open(path);
   CHECK(browser.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)");
-  CHECK(browser.evaluate(kTooFaint) == json::array());
+  CHECK(browser.evaluate(kTooFaint) == nlohmann::json::array());
   CHECK(browser.evaluate("document.querySelector('nav').checkVisibility()") == false);
   CHECK(browser.evaluate("[...document.querySelectorAll('details.rows')].some((d) => d.checkVisibility())") == false);
   // The proofs are printed, though they are closed on the screen.
