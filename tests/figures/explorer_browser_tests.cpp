@@ -137,7 +137,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
   const auto hurry = [&browser] { browser.evaluate("document.getElementById('speed').value = 2"); };
 
   SECTION("mouse") {
-    browser.set_size(1280, 900, false);
+    browser.show_on(false);
     for (const auto& [e, start, next, far] : {std::tuple{digon, "(1,1)", "(2,2)", "(0,4)"},
                                               {hexagon, "(1,0,1)", "(2,1,1)", "(3,0,2)"},
                                               {quad, "(1,1)", "(2,1)", "(4,3)"}}) {
@@ -173,7 +173,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
   }
 
   SECTION("an arrow on the mesh") {
-    browser.set_size(1280, 900, false);
+    browser.show_on(false);
     open_at(browser, write_page(digon), "(1,1)");
     hurry();
     browser.click("document.querySelector('#mesh .arrow.up .head')");
@@ -181,7 +181,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
   }
 
   SECTION("films") {
-    browser.set_size(1280, 900, false);
+    browser.show_on(false);
     for (const auto& [e, from, to] :
          {std::tuple{digon, "(4,0)", "(0,0)"}, {hexagon, "(3,0,1)", "(1,2,3)"}, {quad, "(1,3)", "(4,1)"}}) {
       open_at(browser, write_page(e), to);
@@ -219,7 +219,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
   }
 
   SECTION("keyboard") {
-    browser.set_size(1280, 900, false);
+    browser.show_on(false);
     browser.set_reduced_motion(true);
     open_at(browser, write_page(hexagon), "(1,0,1)");
     // Tab reaches every control in the order of the page, and the focus is visible.
@@ -273,7 +273,7 @@ TEST_CASE("in a browser, clicks make moves, films play, and the keyboard suffice
   }
 
   SECTION("phone") {
-    browser.set_size(390, 844, true);
+    browser.show_on(true);
     for (const Example& e : {digon, hexagon, quad}) {
       const std::string start = predicted_keys(e).begin()->first;
       open_at(browser, write_page(e), start);

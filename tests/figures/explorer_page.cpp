@@ -16,7 +16,7 @@ const Example kHexagon12{theory::kHexagon, sides({12, 12, 12, 12, 12, 12})};
 const Example kQuad5{theory::kQuad, sides({6, 5, 5, 8})};
 
 ExplorerPage::ExplorerPage(const std::string& program) : browser(program) {
-  browser.set_size(1280, 900, false);
+  browser.show_on(false);
   browser.set_reduced_motion(true);
 }
 

@@ -111,7 +111,7 @@ TEST_CASE("in a browser, the explorer calls configurations and moves by one name
   ExplorerPage page(*program);
   Browser& browser = page.browser;
   for (const bool phone : {false, true}) {
-    browser.set_size(phone ? 390 : 1280, phone ? 844 : 900, phone);
+    browser.show_on(phone);
     for (const Example& e : {kDigon6, Example{theory::kDigon, sides({5, 5})}, kHexagon6,
                              Example{theory::kHexagon, sides({5, 5, 5, 5, 5, 5})}, kQuad5}) {
       page.open(e);
@@ -145,7 +145,7 @@ TEST_CASE("in a browser, the explorer calls configurations and moves by one name
       }
     }
   }
-  browser.set_size(1280, 900, false);
+  browser.show_on(false);
   // The page counts as the terminal does, and as Theorem 7.3: tau(6) = 18.
   page.open(kHexagon6);
   CHECK(browser.evaluate("document.getElementById('graph-title').textContent") ==
@@ -161,7 +161,7 @@ TEST_CASE("on a phone, the explorer's film plays where it is seen", "[explorer][
   if (!program) return;
   ExplorerPage page(*program);
   Browser& browser = page.browser;
-  browser.set_size(390, 844, true);
+  browser.show_on(true);
   browser.set_reduced_motion(false);
   for (const Example& e : {kDigon6, kHexagon6, kQuad5}) {
     page.open(e);

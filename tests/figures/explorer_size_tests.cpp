@@ -20,7 +20,7 @@ TEST_CASE("in a browser, the explorer's nodes can be read and hit at any size", 
       "f = document.getElementById('graph-frame').getBoundingClientRect(); return s.left >= f.left "
       "&& s.right <= f.right && s.top >= f.top && s.bottom <= f.bottom; })()";
   for (const bool phone : {false, true}) {
-    browser.set_size(phone ? 390 : 1280, phone ? 844 : 900, phone);
+    browser.show_on(phone);
     for (const auto& [e, far] : {std::pair{kDigon6, "4,0"},
                                  {kDigon12, "10,0"},
                                  {kHexagon6, "4,0,1"},
@@ -41,7 +41,7 @@ TEST_CASE("in a browser, the explorer's nodes can be read and hit at any size", 
     }
   }
   // All of a large graph can be seen at once.
-  browser.set_size(1280, 900, false);
+  browser.show_on(false);
   page.open(kHexagon12, "1,1,1");
   const std::string scrolls =
       "(() => { const f = document.getElementById('graph-frame'); return f.scrollWidth > "
@@ -94,7 +94,7 @@ TEST_CASE("in a browser, the explorer's arrows can be told apart", "[explorer][b
   ExplorerPage page(*program);
   Browser& browser = page.browser;
   for (const bool phone : {false, true}) {
-    browser.set_size(phone ? 390 : 1280, phone ? 844 : 900, phone);
+    browser.show_on(phone);
     for (const auto& [e, where] : {std::pair{kDigon6, "1,1"},
                                    {kDigon12, "1,1"},
                                    {kDigon12, "2,0"},

@@ -33,6 +33,8 @@ class Browser {
   // Clicks the left button, or taps, on the middle of the element that a JavaScript expression names.
   void click(const std::string& element);
   void set_size(int width, int height, bool phone);
+  // A desk of 1280 by 900, or a phone of 390 by 844.
+  void show_on(bool phone) { set_size(phone ? 390 : 1280, phone ? 844 : 900, phone); }
   void set_reduced_motion(bool reduced);
   void set_dark(bool dark);
   void set_print(bool print);
