@@ -96,10 +96,11 @@ ordered_json to_json(const CaseResult& result) {
 CaseResult case_result(const ordered_json& json, std::size_t claims) {
   CaseResult result;
   result.study_seconds = json.at("study_seconds").get<double>();
-  for (const Method method : {Method::moves, Method::search, Method::walk}) {
-    const auto all = json.find("methods");
-    if (all != json.end() && all->contains(name(method)))
-      result.method_seconds[method] = all->at(name(method)).at("seconds").get<double>();
+  if (const auto methods = json.find("methods"); methods != json.end()) {
+    for (const Method method : {Method::moves, Method::search, Method::walk}) {
+      if (methods->contains(name(method)))
+        result.method_seconds[method] = methods->at(name(method)).at("seconds").get<double>();
+    }
   }
   if (json.contains("fillings")) result.fillings = integer_from(json["fillings"], 0, kMost);
   for (const ordered_json& entry : json.at("claims")) {

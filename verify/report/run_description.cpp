@@ -10,6 +10,8 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include "mesh/program/layout.hpp"
+
 namespace requad::verify {
 
 namespace {
@@ -40,8 +42,7 @@ std::string machine_text() {
   utsname system{};
   if (uname(&system) == 0) add(std::string(system.sysname) + " " + system.release + " " + system.machine);
   add(processor());
-  if (const unsigned cores = std::thread::hardware_concurrency(); cores > 0)
-    add(std::to_string(cores) + (cores == 1 ? " core" : " cores"));
+  if (const unsigned cores = std::thread::hardware_concurrency(); cores > 0) add(program::counted(cores, "core"));
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
   constexpr double kGigabyte = 1 << 30;
   if (pages > 0 && page > 0) {
