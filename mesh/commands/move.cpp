@@ -32,9 +32,11 @@ int move(const program::Options& options) {
   if (!found) throw UsageError("move: '" + wanted + "' is no step of this pair; `requad-edit moves` lists them");
   if (made.refusal != Refusal::none) return session.refused(subject, made.refusal);
   session.smooth_since(mark);
-  return session.done(
-      {{"move", made.name}, {"effect", made.effect}, {"operations", made.operations}, {"faces", made.faces_gained()}},
-      made.name + ": " + made.effect + "\n");
+  return session.done({{"move", made.name},
+                       {"effect", made.effect},
+                       {"operations", made.counts.operations},
+                       {"faces", made.faces_gained()}},
+                      made.name + ": " + made.effect + "\n");
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ std::string signed_text(int n) { return (n > 0 ? "+" : "") + std::to_string(n); 
 // the vertex is regular then.
 ordered_json details(const Session& session, std::array<int, 2> numbers, const mesh::PossibleMove& move) {
   ordered_json result{{"effect", move.effect},
-                      {"operations", move.operations},
+                      {"operations", move.counts.operations},
                       {"faces", move.faces_gained()},
-                      {"faces_made", move.faces_made},
-                      {"faces_deleted", move.faces_deleted}};
+                      {"faces_made", move.counts.faces_made},
+                      {"faces_deleted", move.counts.faces_deleted}};
   const auto extents = [](const mesh::PairFrame& frame) { return ordered_json{{"d1", frame.d1}, {"d2", frame.d2}}; };
   if (move.from) result["from"] = extents(*move.from);
   if (move.to) result["to"] = extents(*move.to);
@@ -50,7 +50,7 @@ int moves(const program::Options& options) {
     if (legal) {
       entry.update(details(session, numbers, move));
       text += move.effect + ", " + signed_text(move.faces_gained()) + " faces by " +
-              counted(move.operations, "operation", "operations");
+              counted(move.counts.operations, "operation", "operations");
     } else {
       entry["why"] = move.refusal.clause();
       text += "no: " + std::string(move.refusal.clause());

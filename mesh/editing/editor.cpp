@@ -22,6 +22,16 @@ FaceId Edit::made_face() const {
   return QuadMesh::face(inverse.h);
 }
 
+EditCounts count(std::span<const Edit> edits) {
+  EditCounts counts;
+  for (const Edit& edit : edits) {
+    counts.operations += edit.operates ? 1 : 0;
+    counts.faces_made += edit.made_face().valid() ? 1 : 0;
+    counts.faces_deleted += edit.removed_face().valid() ? 1 : 0;
+  }
+  return counts;
+}
+
 Editor::Editor(QuadMesh& mesh, const FeatureSet* features, Positions* positions, const SectorPlan* plan)
     : OperationLog(mesh), features_(features), positions_(positions), sectors_(mesh, features, plan) {
   grow_positions();

@@ -50,6 +50,14 @@ struct Edit {
   FaceId made_face() const;
 };
 
+// How many of some edits operate, and how many faces these make and delete.
+struct EditCounts {
+  int operations = 0;
+  int faces_made = 0;
+  int faces_deleted = 0;
+};
+EditCounts count(std::span<const Edit> edits);
+
 class Editor : public OperationLog {
  public:
   // The mesh must outlive the editor, and so must features, positions and plan (optional: null). `positions` has an

@@ -12,17 +12,6 @@ namespace requad::mesh {
 
 namespace {
 
-// Counts the operations since the mark.
-void count_operations(const Editor& editor, std::size_t mark, PossibleMove& move) {
-  const auto& edits = editor.edits();
-  for (std::size_t i = mark; i < edits.size(); ++i) {
-    if (!edits[i].operates) continue;
-    ++move.operations;
-    move.faces_made += edits[i].made_face().valid() ? 1 : 0;
-    move.faces_deleted += edits[i].removed_face().valid() ? 1 : 0;
-  }
-}
-
 // Makes the step if the mesh allows it.
 void make_step(Editor& editor, const PairMove& step, VertexId a, PossibleMove& move) {
   const MoveReport report = move_pair(editor, step);
@@ -121,7 +110,7 @@ Refusal for_each_move(Editor& editor, VertexId a, VertexId b, const std::functio
     move.name = move.step;
     if (of_step[move.step] > 1) move.name += "." + std::to_string(++numbered[move.step]);
     candidate.make(move);
-    if (move.refusal == Refusal::none) count_operations(editor, mark, move);
+    if (move.refusal == Refusal::none) move.counts = count(std::span(editor.edits()).subspan(mark));
     if (visit(move)) return Refusal::none;
     editor.roll_back(mark);
   }

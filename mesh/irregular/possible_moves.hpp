@@ -24,14 +24,12 @@ struct PossibleMove {
   Obstacles obstacles;  // of a transport
   // Of a move that is not refused:
   std::string effect;
-  int operations = 0;
-  int faces_made = 0;
-  int faces_deleted = 0;
+  EditCounts counts;
   std::array<VertexId, 2> after;  // where the two vertices are now; none for one that is regular now
   std::optional<PairFrame> from;  // of a step: the rectangle before it
   std::optional<PairFrame> to;    // and after it
 
-  int faces_gained() const { return faces_made - faces_deleted; }
+  int faces_gained() const { return counts.faces_made - counts.faces_deleted; }
   // Whether a user who writes TEXT means this move: its name, or its step alone.
   bool is_called(const std::string& text) const { return text == name || text == step; }
 };

@@ -59,9 +59,7 @@ struct Offer {
   std::string name;  // one of its kind in the selection: "slide_first", "move-v3 flip left to 149"
   std::string why;   // the reason of a refusal; empty if the edit can be made, and only then the rest has a meaning
   std::string effect;
-  int operations = 0;
-  int quads_made = 0;
-  int quads_deleted = 0;
+  mesh::EditCounts counts;
   std::vector<VertexId> vertices;  // of the present mesh, by id: those that would have another valence or be gone
   std::vector<FaceId> quads;       // of the present mesh, by id: those that would have other corners or be gone
   std::vector<Arrow> arrows;       // one for each vertex of a pair that moves
@@ -159,6 +157,11 @@ class Session {
 
  private:
   struct Outcome;
+  // What the edits of a step changed.
+  struct Touched {
+    std::vector<VertexId> vertices;
+    std::vector<FaceId> quads;  // made or removed
+  };
   // Each makes edits of the selection in turn, adds an offer for each, and rolls it back.
   mesh::Refusal offer_all(const Selection& selection);
   mesh::Refusal offer_moves(VertexId a, VertexId b);
@@ -168,9 +171,8 @@ class Session {
   void add_offer(std::size_t mark, Offer offer);
   Outcome outcome_since(std::size_t mark) const;
   void compare(const Outcome& outcome, Offer& offer) const;
-  void note_changes(const std::vector<VertexId>& vertices, const std::vector<FaceId>& quads);
-  void note_edits(std::size_t begin, std::size_t end, std::vector<VertexId>& vertices,
-                  std::vector<FaceId>& quads) const;
+  Touched touched_by(const Step& step) const;
+  void note_changes(const Touched& touched);
   std::string words_for(const Selection& selection, const std::string& name) const;
 
   mesh::Surface input_;

@@ -125,7 +125,8 @@ TEST_CASE("law web-1: an offer shows exactly what is then done", "[session]") {
         const Connectivity is = connectivity(session.mesh());
         REQUIRE(offer.vertices == different(was.valences, is.valences));
         REQUIRE(offer.quads == different(was.corners, is.corners));
-        REQUIRE(session.mesh().face_count() == before.face_count() + offer.quads_made - offer.quads_deleted);
+        REQUIRE(session.mesh().face_count() ==
+                before.face_count() + offer.counts.faces_made - offer.counts.faces_deleted);
         if (selection.kind == SelectionKind::pair || selection.kind == SelectionKind::vertex)
           REQUIRE_FALSE(offer.effect.empty());
         const std::vector<VertexId> irregular = irregular_vertices(session.mesh());
