@@ -1,9 +1,6 @@
 #include "enumerate/graph_output.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -15,6 +12,7 @@
 #include "enumerate/attributed_graph.hpp"
 #include "enumerate/configuration_rows.hpp"
 #include "enumerate/grid_position.hpp"
+#include "mesh/files/fixed_decimals.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {
@@ -104,14 +102,6 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
   return result;
 }
 
-// With three digits after the point, wherever that is; "-0.000" does not occur.
-std::string decimals(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(),
-                                       std::round(value * 1000) / 1000 + 0.0, std::chars_format::fixed, 3)
-                             .ptr};
-}
-
 }  // namespace
 
 nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node) {
@@ -158,7 +148,8 @@ std::string graph_dot(const Exploration& found, theory::Apex apex) {
   const std::vector<double> x = take("x"), y = take("y");
   std::vector<std::string> positions;
   for (std::size_t i = 0; i < x.size(); ++i)
-    positions.push_back(decimals(kPointsPerUnit * x[i]) + "," + decimals(kPointsPerUnit * y[i]) + "!");
+    positions.push_back(mesh::fixed_decimals(kPointsPerUnit * x[i], 3) + "," +
+                        mesh::fixed_decimals(kPointsPerUnit * y[i], 3) + "!");
   graph.at_nodes["pos"] = positions;
   return to_dot(std::move(graph));
 }

@@ -1,7 +1,5 @@
 #include "figures/graph_files.hpp"
 
-#include <array>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -11,7 +9,7 @@
 #include <graphviz/cgraph.h>
 
 #include "enumerate/attributed_graph.hpp"
-#include "mesh/pictures/mesh_picture.hpp"
+#include "mesh/files/fixed_decimals.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {
@@ -21,12 +19,6 @@ namespace {
 using enumerate::AttributedGraph;
 
 constexpr double kPointsPerUnit = 62;  // points between neighbours of the grid
-
-std::string decimals(double x) {
-  std::array<char, 32> buffer;
-  return {buffer.data(),
-          std::to_chars(buffer.data(), buffer.data() + buffer.size(), x + 0.0, std::chars_format::fixed, 2).ptr};
-}
 
 // The values of an attribute, which a function gives for each node or edge.
 template <class Element, class Value>
@@ -87,11 +79,13 @@ void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
   const auto all_nodes = [&at_nodes](const char* value) {
     return at_nodes([value](const GridNode&) { return value; });
   };
-  const auto colour = [&figure](const GridNode& n) {
-    return to_hex(figure.grids[static_cast<std::size_t>(n.grid)].colour());
+  const auto grid = [&figure](const GridNode& n) -> const Grid& {
+    return figure.grids[static_cast<std::size_t>(n.grid)];
   };
+  const auto colour = [&](const GridNode& n) { return to_hex(grid(n).colour({})); };
   graph.at_nodes["pos"] = at_nodes([](const GridNode& n) {
-    return decimals(n.at[0] * kPointsPerUnit) + "," + decimals(n.at[1] * kPointsPerUnit) + "!";
+    return mesh::fixed_decimals(n.at[0] * kPointsPerUnit, 2) + "," + mesh::fixed_decimals(n.at[1] * kPointsPerUnit, 2) +
+           "!";
   });
   graph.at_nodes["shape"] = all_nodes("ellipse");
   graph.at_nodes["fixedsize"] = all_nodes("true");
@@ -103,8 +97,13 @@ void add_drawing(AttributedGraph& graph, const GridFigure& figure) {
   graph.at_nodes["fillcolor"] = all_nodes("white");
   graph.at_nodes["color"] = at_nodes(colour);
   graph.at_nodes["fontcolor"] = at_nodes(colour);
-  graph.at_edges["color"] =
-      column(figure.edges, [&](const GridEdge& e) { return colour(figure.nodes[static_cast<std::size_t>(e.from)]); });
+  const auto at_edges = [&](auto value) {
+    return column(figure.edges,
+                  [&](const GridEdge& e) { return value(figure.nodes[static_cast<std::size_t>(e.from)]); });
+  };
+  graph.at_edges["color"] = at_edges(colour);
+  graph.at_edges["style"] =
+      at_edges([&](const GridNode& n) { return grid(n).parity == Parity::odd ? "dashed" : "solid"; });
 }
 
 struct GraphCloser {

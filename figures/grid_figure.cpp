@@ -1,5 +1,6 @@
 #include "figures/grid_figure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -43,21 +44,29 @@ GridEdge edge_of(PairType type, int from, int to, const FoundMove& move) {
   return edge;
 }
 
+// The frame that gives a labelling. A segment has two labellings.
+const mesh::PairFrame& frame_of(const enumerate::Reading& reading, const Configuration& labelling) {
+  const auto found = std::find_if(reading.frames.begin(), reading.frames.end(),
+                                  [&](const auto& f) { return f.labelling == labelling; });
+  return (found == reading.frames.end() ? reading.frames.front() : *found).frame;
+}
+
 // Adds a found grid to a figure. `position` is where a labelling lies. Two labellings of one configuration that lie at
 // two positions become a node and its copy. An edge joins the labellings before and after a move.
-void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const PositionOf& position) {
+void add_grid(GridFigure& figure, const Exploration& found, const std::string& prefix, const PositionOf& position,
+              bool upside_down = false) {
   const PairType type = found.shape.type();
   const int grid = static_cast<int>(figure.grids.size());
   const auto first = static_cast<int>(figure.nodes.size());
   const Configuration& any = found.nodes.at(0).reading.configuration;
   const Parity parity = !type.symmetric() ? Parity::none : (any.d1() + any.d2()) % 2 == 0 ? Parity::even : Parity::odd;
-  figure.grids.push_back({found.shape, parity});
+  figure.grids.push_back({found.shape, parity, upside_down});
   const enumerate::GridDrawing drawing = enumerate::grid_drawing(found, position);
   for (const enumerate::GridSpot& spot : drawing.spots) {
     const auto& node = found.nodes[static_cast<std::size_t>(spot.node)];
     figure.nodes.push_back({prefix + std::to_string(figure.nodes.size()), theory::label(type, spot.labelling), spot.at,
                             grid, spot.same_as < 0 ? -1 : first + spot.same_as, spot.labelling, node.region,
-                            node.reading.frames.at(0).frame, node.signature});
+                            frame_of(node.reading, spot.labelling), node.signature});
   }
   for (const enumerate::GridLine& line : drawing.lines)
     figure.edges.push_back(edge_of(type, first + line.from, first + line.to, *line.move));
@@ -78,9 +87,9 @@ std::string sides_text(int length) {
   return text;
 }
 
-void add_regular(GridFigure& figure, PairType type, int length, const PositionOf& position) {
+void add_regular(GridFigure& figure, PairType type, int length, const PositionOf& position, bool upside_down = false) {
   add_grid(figure, enumerate::explore_all(RegionShape::regular(type, length), theory::Apex::with),
-           "L" + std::to_string(length) + "_", position);
+           "L" + std::to_string(length) + "_", position, upside_down);
 }
 
 }  // namespace
@@ -96,13 +105,19 @@ GridFigure figure_10(int length) {
 
 GridFigure figure_11(int length) {
   GridFigure figure{"Configurations of a 5-5 pair in regular hexagons of side " + sides_text(length), {}, {}, {}};
-  for (const int l : two_lengths(length)) {
-    const double shift = l == length ? 0.0 : 0.87 * (2 * length - 5) + 1.2;  // beside the first
-    add_regular(figure, theory::kHexagon, l, [=](const Configuration& c) -> Position {
-      const Position at = enumerate::grid_position(theory::kHexagon, c);
-      return {at[0] + shift, at[1]};
-    });
-  }
+  const auto projected = [](const Configuration& c) { return enumerate::grid_position(theory::kHexagon, c); };
+  add_regular(figure, theory::kHexagon, length, projected);
+  if (length == 3) return figure;
+  // The grids are triangles with radii L - 2 and L - 3. Their bases are level with the tops of each other, and their
+  // slanting sides kGap apart.
+  constexpr double kGap = 1.1;
+  const double y = (length - 1) / 2.0;
+  const double x = (length - 2.5 + kGap - y / 2) * 2 / std::numbers::sqrt3;
+  const auto turned = [=](const Configuration& c) -> Position {
+    const Position at = projected(c);
+    return {x - at[0], y - at[1]};
+  };
+  add_regular(figure, theory::kHexagon, length - 1, turned, true);
   return figure;
 }
 
@@ -112,7 +127,7 @@ GridFigure figure_12(int d1, int d2, int m, int n) {
   }
   const PairType type = theory::kQuad;
   Configuration first;
-  first.parameters = {d1, d2, theory::IntegerVector::Ones(4)};
+  first.parameters = {d1 > 0 ? d1 : d2, d1 > 0 ? d2 : 0, theory::IntegerVector::Ones(4)};
   first.parameters.e(2) = m;  // e1 + e3 = M + 1, e2 + e4 = N + 1
   first.parameters.e(3) = n;
   const RegionShape shape(type, theory::region_sides(type, first));

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "enumerate/exploration.hpp"
-#include "mesh/pictures/mesh_picture.hpp"
+#include "mesh/irregular/pair_frame.hpp"
+#include "mesh/pictures/style.hpp"
 
 namespace requad::figures {
 
@@ -20,7 +21,7 @@ struct GridNode {
   int same_as = -1;                     // for a copy, the index of its original; otherwise -1
   theory::Configuration configuration;  // the labelling drawn here; a copy and its original have different ones
   mesh::Region region;
-  mesh::PairFrame frame;  // of the pair, or of the merged vertex
+  mesh::PairFrame frame;  // of this labelling
   std::string signature;
 
   int faces() const { return region.mesh.face_count(); }
@@ -49,8 +50,10 @@ struct Grid {
   theory::RegionShape shape;
   Parity parity;
 
-  Colour colour() const {
-    return parity == Parity::even ? ink::kRed : parity == Parity::odd ? ink::kBlue : ink::kGreen;
+  bool upside_down = false;  // turned by half a turn, with the meshes at its nodes
+
+  Colour colour(const Palette& palette) const {
+    return parity == Parity::even ? palette.even : parity == Parity::odd ? palette.odd : palette.single;
   }
 };
 
@@ -64,9 +67,11 @@ struct GridFigure {
 // Figure 10: the grids of the regular digons of side L and L - 1 on one rotated grid, with (m,n) at (m - n, m + n).
 // (x,0) and (0,x) are one configuration; the second is drawn as a copy that names the first.
 GridFigure figure_10(int length);
-// Figure 11: the grids of the regular hexagons of side L and L - 1 as half cubes in projection, side by side.
+// Figure 11: the grids of the regular hexagons of side L and L - 1 as half cubes in projection, side by side. The second
+// is upside down, so that the two triangles fit together.
 GridFigure figure_11(int length);
 // Figure 12: the grid of the M x N configurations of a region whose 3-5 pair spans d1 x d2 quads, with (m,n) at (m,n).
+// If d1 = 0, the segment of length d2 is taken as (d2, 0), its canonical labelling.
 GridFigure figure_12(int d1, int d2, int m, int n);
 
 // The grid of any hexagon, as a part of a half cube.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/commands/commands.hpp"
+#include "figures/commands/page_options.hpp"
 #include "figures/graph_files.hpp"
 #include "figures/pictures/catalogue.hpp"
 #include "mesh/program/progress.hpp"
@@ -52,7 +53,8 @@ Choices choices_of(const Options& options) {
   if (options.has("pair-region")) {
     const std::vector<std::int64_t> numbers = options.integers("pair-region", 0, 30);
     if (numbers.size() != 4) throw UsageError("--pair-region: expected D1,D2,M,N");
-    for (std::size_t i = 0; i < 4; ++i) choices.pair_region[i] = static_cast<int>(numbers[i]);
+    choices.pair_region.emplace();
+    for (std::size_t i = 0; i < 4; ++i) (*choices.pair_region)[i] = static_cast<int>(numbers[i]);
   }
   if (options.has("sides")) choices.sides = options.integers("sides", 1, 40);
   return choices;
@@ -75,13 +77,21 @@ std::vector<Figure> make_figures(const std::vector<std::string>& ids, const Choi
 void require_formats(const std::vector<Figure>& figures, const std::vector<std::string>& formats) {
   for (const Figure& figure : figures) {
     if (!figure.entry->is_grid && std::all_of(formats.begin(), formats.end(), is_graph)) {
-      throw UsageError(std::string("--figure ") + figure.entry->id + " is no graph: expected --format svg, pdf or png");
+      throw UsageError(std::string("--figure ") + figure.entry->id +
+                       " is no graph: expected --format svg, pdf, png or tikz");
     }
   }
 }
 
-std::string file_text(const Picture& picture, const std::string& format) {
-  return format == "dot" ? to_dot(*picture.grid) : pictures::render(picture.paint, format);
+std::string title_of(const Figure& figure) {
+  return figure.picture.grid ? figure.picture.grid->title : figure.entry->title;
+}
+
+std::string file_text(const Figure& figure, const std::string& format, pictures::Page page) {
+  if (format == "dot") return to_dot(*figure.picture.grid);
+  page.title = title_of(figure);
+  page.description = figure.entry->caption;
+  return pictures::render(figure.picture.paint, format, page);
 }
 
 // Files in one folder, and what is reported about each.
@@ -112,30 +122,41 @@ ordered_json sizes_of(const Figure& figure, const GridFigure& grid) {
   return {{"figure", figure.entry->id}, {"nodes", grid.nodes.size()}, {"edges", grid.edges.size()}};
 }
 
+const std::vector<program::Format>& picture_formats() {
+  static const std::vector<program::Format> all{{"svg", {"svg"}},       {"pdf", {"pdf"}},
+                                                {"png", {"png"}},       {"tikz", {"tex", "tikz"}},
+                                                {"dot", {"dot", "gv"}}, {"graphml", {"graphml", "xml"}}};
+  return all;
+}
+
+std::string extension(const std::string& format) {
+  const auto& all = picture_formats();
+  return "." + std::find_if(all.begin(), all.end(), [&](const auto& f) { return f.name == format; })->extensions[0];
+}
+
+// What is written of each figure, and how.
+struct Request {
+  Choices choices;
+  pictures::Page page;
+};
+
 // GraphML has one graph a file: figure-10-side-6.graphml, figure-10-side-5.graphml.
-void add_graphs(Folder& folder, const Figure& figure) {
+void add_graphs(Folder& folder, const Figure& figure, const Choices& choices) {
   const GridFigure& all = *figure.picture.grid;
   for (std::size_t i = 0; i < all.grids.size(); ++i) {
     const GridFigure grid = grid_alone(all, i);
-    const std::string side = "-side-" + std::to_string(grid.grids[0].shape.longest());
-    folder.add(figure.entry->file() + (all.grids.size() > 1 ? side : "") + ".graphml", to_graphml(grid), all.title,
-               sizes_of(figure, grid));
+    const std::string name = all.grids.size() > 1 ? figure.entry->file(grid.grids[0]) : figure.entry->file(choices);
+    folder.add(name + extension("graphml"), to_graphml(grid), all.title, sizes_of(figure, grid));
   }
 }
 
-void add_figure(Folder& folder, const Figure& figure, const std::string& format) {
+void add_figure(Folder& folder, const Figure& figure, const std::string& format, const Request& request) {
   const Picture& picture = figure.picture;
   if (is_graph(format) && !picture.grid) return;
-  if (format == "graphml") return add_graphs(folder, figure);
-  folder.add(figure.entry->file() + "." + format, file_text(picture, format),
-             picture.grid ? picture.grid->title : figure.entry->title,
+  if (format == "graphml") return add_graphs(folder, figure, request.choices);
+  folder.add(figure.entry->file(request.choices) + extension(format), file_text(figure, format, request.page),
+             title_of(figure),
              picture.grid ? sizes_of(figure, *picture.grid) : ordered_json{{"figure", figure.entry->id}});
-}
-
-const std::vector<program::Format>& picture_formats() {
-  static const std::vector<program::Format> all{
-      {"svg", {"svg"}}, {"pdf", {"pdf"}}, {"png", {"png"}}, {"dot", {"dot", "gv"}}, {"graphml", {"graphml", "xml"}}};
-  return all;
 }
 
 // Whether -o names one file: "-", or a name with the end of a format. Otherwise it names a folder.
@@ -147,12 +168,28 @@ bool is_one_file(const Options& options) {
          });
 }
 
+std::vector<std::string> chosen_formats(const Options& options) {
+  if (is_one_file(options)) {
+    const std::vector<std::string> asked = options.list("format");
+    return {options.format("output", asked.empty() ? "" : asked.front()).name};
+  }
+  return options.choices("format", {"svg", "pdf", "png", "tikz", "dot", "graphml"}, {"svg", "dot"});
+}
+
+bool has_labels(const Options& options) {
+  const std::vector<std::string> ids = chosen_ids(options);
+  return std::any_of(catalogue().begin(), catalogue().end(), [&ids](const CatalogueEntry& entry) {
+    return entry.has_labels && std::find(ids.begin(), ids.end(), entry.id) != ids.end();
+  });
+}
+
 // Writes one figure, or for GraphML one graph, to the file of -o.
 int write_one_picture(const Options& options) {
   const std::vector<std::string> ids = chosen_ids(options), asked = options.list("format");
   if (ids.size() != 1 || asked.size() > 1)
     throw UsageError("-o " + options.text("output") + " is one file; expected one --figure and one format");
-  const std::string format = options.format("output", asked.empty() ? "" : asked.front()).name;
+  const std::string format = chosen_formats(options).front();
+  const pictures::Page page = page_of(options);
   options.require_outputs();
   program::require_writable(options.text("output"));
   Figure figure = make_figures(ids, choices_of(options), options.quiet()).front();
@@ -163,7 +200,7 @@ int write_one_picture(const Options& options) {
                      " graphs, and each has a file of its own; expected a folder");
   program::Outputs outputs;
   outputs.add(options.text("output"),
-              format == "graphml" ? to_graphml(*figure.picture.grid) : file_text(figure.picture, format));
+              format == "graphml" ? to_graphml(*figure.picture.grid) : file_text(figure, format, page));
   const ordered_json about{{"figure", ids.front()}, {"file", options.text("output")}, {"title", figure.entry->title}};
   program::finish(options, ordered_json{{"files", {about}}}.dump(),
                   options.text("output") + ": " + figure.entry->title + "\n", std::move(outputs));
@@ -174,14 +211,14 @@ int write_pictures(const Options& options) {
   if (is_one_file(options)) return write_one_picture(options);
   namespace fs = std::filesystem;
   const std::vector<std::string> ids = chosen_ids(options);
-  const auto formats = options.choices("format", {"svg", "pdf", "png", "dot", "graphml"}, {"svg", "dot"});
-  const Choices choices = choices_of(options);
+  const std::vector<std::string> formats = chosen_formats(options);
+  const Request request{choices_of(options), page_of(options)};
   const std::string path = options.text("output", ".");
   program::require_folder(path);
   // --json may name a file in this folder, which need not exist yet.
   const fs::path list = fs::path(options.text("json")).lexically_normal();
   if (list.parent_path() != (fs::path(path) / "").lexically_normal().parent_path()) options.require_outputs();
-  const std::vector<Figure> figures = make_figures(ids, choices, options.quiet());
+  const std::vector<Figure> figures = make_figures(ids, request.choices, options.quiet());
   if (options.has("format") && options.has("figure")) require_formats(figures, formats);
 
   std::error_code error;
@@ -191,7 +228,7 @@ int write_pictures(const Options& options) {
   program::Progress progress("files", std::ssize(figures) * std::ssize(formats), options.quiet());
   for (const Figure& figure : figures) {
     for (const std::string& format : formats) {
-      add_figure(folder, figure, format);
+      add_figure(folder, figure, format, request);
       progress.advance();
     }
   }
@@ -212,6 +249,26 @@ program::Option folder_or_file() {
 }  // namespace
 
 program::Command pictures_command() {
+  std::vector<program::Option> options{
+      program::list("figure", "ID", "which figure; may be repeated (default: all)"),
+      program::list(
+          "format", "F",
+          "svg, pdf, png or tikz (.tex, for LaTeX); for graphs also dot or graphml; may be repeated (default: "
+          "svg, and dot for graphs)"),
+      folder_or_file(),
+      for_figures(program::value("side", "L",
+                                 "the side length, 3..40 (default 6; 5 for unfolded-11, 4 for octagon); the time of a "
+                                 "picture grows as L^4 or faster")),
+      for_figures(program::value("pair-region", "D1,D2,M,N",
+                                 "for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)")),
+      for_figures(program::value("sides", "E1,...,E6", "for the hexagon (default 4,5,4,4,5,4)")),
+  };
+  for (program::Option& option : page_options(chosen_formats, has_labels)) options.push_back(std::move(option));
+  options.push_back(program::only_if(
+      program::flag("page", "write DIR/README.md too, a page with all figures, their captions and commands"),
+      [](const Options& given) {
+        return is_one_file(given) ? std::string("--page has no effect where -o names one file") : "";
+      }));
   return {
       .name = "",
       .usage = {"[--figure ID]... [--format F]... [-o DIR]"},
@@ -233,30 +290,12 @@ program::Command pictures_command() {
           {
               "requad-figures -o pictures",
               "requad-figures --figure 11 --side 8 -o figure.pdf",
+              "requad-figures --figure 12 --width 85mm --palette print -o figure.pdf",
+              "requad-figures --figure 14 --width 504pt --format tikz",
               "requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png",
               "requad-figures --figure hexagon --sides 3,4,5,4,3,5 --format pdf",
           },
-      .options =
-          {
-              program::list("figure", "ID", "which figure; may be repeated (default: all)"),
-              program::list("format", "F",
-                            "svg, pdf or png; for graphs also dot or graphml; may be repeated (default: svg, and dot "
-                            "for graphs)"),
-              folder_or_file(),
-              for_figures(
-                  program::value("side", "L",
-                                 "the side length, 3..40 (default 6; 5 for unfolded-11, 4 for octagon); the time of a "
-                                 "picture grows as L^4 or faster")),
-              for_figures(program::value("pair-region", "D1,D2,M,N",
-                                         "for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)")),
-              for_figures(program::value("sides", "E1,...,E6", "for the hexagon (default 4,5,4,4,5,4)")),
-              program::only_if(
-                  program::flag("page",
-                                "write DIR/README.md too, a page with all figures, their captions and commands"),
-                  [](const Options& options) {
-                    return is_one_file(options) ? std::string("--page has no effect where -o names one file") : "";
-                  }),
-          },
+      .options = std::move(options),
       .outputs_are_known = false,
       .run = write_pictures,
   };

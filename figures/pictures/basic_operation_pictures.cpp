@@ -1,8 +1,8 @@
-#include "figures/pictures/basic_operation_pictures.hpp"
-
 #include <stdexcept>
 
+#include "figures/pictures/paper_pictures.hpp"
 #include "figures/pictures/sheet.hpp"
+#include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::figures {
@@ -32,66 +32,48 @@ HalfEdgeId grid_edge(const Region& g, int rows, int i, int j, int di, int dj) {
   return g.mesh.find_half_edge(VertexId(i * (rows + 1) + j), VertexId((i + di) * (rows + 1) + j + dj));
 }
 
-// The layout of this figure: panels in columns and rows, with arrows between neighbouring columns.
-class OperationSheet {
- public:
-  void add(Panel panel, double column, double row) {
-    sheet_.panels.push_back({std::move(panel), {column * kX, row * kY}, kUnit});
-  }
-  // Adds an arrow between a column and the next one. It points to the right for direction 1, to the left for -1.
-  void arrow(double column, double row, double direction) {
-    const double x = (column + 0.5) * kX;
-    sheet_.arrow({x - direction * 14, row * kY}, {x + direction * 14, row * kY});
-  }
-  const Sheet& sheet() const { return sheet_; }
+std::vector<Panel::Line> path(std::vector<HalfEdgeId> edges) { return {{std::move(edges)}}; }
 
- private:
-  static constexpr double kUnit = 20, kX = 165, kY = -150;
-  Sheet sheet_;
-};
+constexpr int kSide = 5;  // of all grids of the figure
 
-void add_collapse(OperationSheet& sheet) {
-  const Region five = grid(5, 5);
-  const HalfEdgeId middle = grid_edge(five, 5, 2, 2, 1, 0);
-  const RegionChange collapse = perform_all(five, {{BasicOperation::Kind::collapse, middle, {}, 0}});
-  Panel panel{five, {"a quad between two regular vertices"}};
+void add_collapse(Sheet& sheet, const Region& patch) {
+  const HalfEdgeId middle = grid_edge(patch, kSide, 2, 2, 1, 0);
+  const RegionChange collapse = perform_all(patch, {{BasicOperation::Kind::collapse, middle, {}, 0}});
+  Panel panel{patch, {"a quad between two regular vertices"}};
   panel.deleted = collapse.deleted;
-  panel.dots = {five.mesh.origin(middle), five.mesh.target(QuadMesh::next(middle))};
-  sheet.add(panel, 0, 0);
-  sheet.add({collapse.after, {"quad collapse"}}, 1, 0);
-  sheet.arrow(0, 0, 1);
+  panel.dots = {patch.mesh.origin(middle), patch.mesh.target(QuadMesh::next(middle))};
+  const auto before = sheet.add(panel, 0, 0);
+  sheet.arrow(before, sheet.add({collapse.after, {"quad collapse"}}, 0, 1));
 }
 
-void add_split(OperationSheet& sheet) {
-  const Region four = grid(4, 4);
-  const HalfEdgeId right = grid_edge(four, 4, 2, 2, 1, 0), from_left = grid_edge(four, 4, 1, 2, 1, 0);
-  const RegionChange split = perform_all(four, {{BasicOperation::Kind::split, right, from_left, 0}});
-  Panel panel{four, {"two edges of a path"}};
-  panel.lines = {{{from_left, right}, kGreenLine}};
-  sheet.add(panel, 2.2, 0);
+void add_split(Sheet& sheet, const Region& patch) {
+  const HalfEdgeId right = grid_edge(patch, kSide, 2, 2, 1, 0), from_left = grid_edge(patch, kSide, 1, 2, 1, 0);
+  const RegionChange split = perform_all(patch, {{BasicOperation::Kind::split, right, from_left, 0}});
+  Panel panel{patch, {"two edges of a path"}};
+  panel.lines = path({from_left, right});
+  const auto before = sheet.add(panel, 0, 2);
   panel = {split.after, {"edge split"}};
   panel.made = split.made;
-  sheet.add(panel, 3.2, 0);
-  sheet.arrow(2.2, 0, 1);
+  sheet.arrow(before, sheet.add(panel, 0, 3));
 }
 
-void add_flips(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
+void add_flips(Sheet& sheet, const Region& patch, HalfEdgeId edge) {
   Panel panel{patch, {"an edge"}};
-  panel.lines = {{{edge}, kGreenLine}};
-  sheet.add(panel, 1.6, 1);
-  for (const auto kind : {BasicOperation::Kind::flip_cw, BasicOperation::Kind::flip_ccw}) {
+  panel.lines = path({edge});
+  const auto before = sheet.add(panel, 1, 1.5);
+  for (const auto kind : {BasicOperation::Kind::flip_ccw, BasicOperation::Kind::flip_cw}) {
     const bool left = kind == BasicOperation::Kind::flip_ccw;
-    const RegionChange flip = perform_all(patch, {{kind, edge, {}, 0}});
+    const BasicOperation operation{kind, edge, {}, 0};
+    const RegionChange flip = perform_all(patch, {operation});
     Panel result{flip.after, {left ? "edge flip, counter-clockwise" : "edge flip, clockwise"}};
-    result.lines = {{{left ? QuadMesh::next(edge) : QuadMesh::previous(edge)}, kGreenLine}};
-    sheet.add(result, left ? 0.6 : 2.6, 1);
-    sheet.arrow(left ? 0.6 : 1.6, 1, left ? -1 : 1);
+    result.lines = path({turned_edge(operation)});
+    sheet.arrow(before, sheet.add(result, 1, left ? 0.5 : 2.5));
   }
 }
 
 // The edge is u -> v, with p, q on its left and r, s on its right. The split parts v along p - v - s, and the new
 // vertex gets the edge. The collapse merges the new vertex with r across the face on the right.
-void add_flip_of_two(OperationSheet& sheet, const Region& patch, HalfEdgeId edge) {
+void add_flip_of_two(Sheet& sheet, const Region& patch, HalfEdgeId edge) {
   const HalfEdgeId back = patch.mesh.twin(edge);
   const BasicOperation split{BasicOperation::Kind::split, QuadMesh::next(edge), QuadMesh::previous(back), 0};
   const BasicOperation collapse{BasicOperation::Kind::collapse, QuadMesh::opposite(back), {}, 0};
@@ -102,28 +84,36 @@ void add_flip_of_two(OperationSheet& sheet, const Region& patch, HalfEdgeId edge
     throw std::logic_error("a split and a collapse do not make a flip");
   }
   Panel panel{patch, {"split along these two edges"}};
-  panel.lines = {{{QuadMesh::previous(back), QuadMesh::next(edge)}, kGreenLine}};
-  sheet.add(panel, 0.6, 2);
+  panel.lines = path({QuadMesh::previous(back), QuadMesh::next(edge)});
+  const auto before = sheet.add(panel, 2, 0.5);
   panel = {first.after, {"then collapse the crossed quad"}};
   panel.made = first.made;
   panel.deleted = {QuadMesh::face(back)};
-  sheet.add(panel, 1.6, 2);
-  sheet.add({both.after, {"the flip, counter-clockwise"}}, 2.6, 2);
-  sheet.arrow(0.6, 2, 1);
-  sheet.arrow(1.6, 2, 1);
+  const auto between = sheet.add(panel, 2, 1.5);
+  panel = {both.after, {"the edge is flipped, counter-clockwise"}};
+  // The flipped edge joins the two v5s.
+  const QuadMesh& m = both.after.mesh;
+  std::vector<VertexId> fives;
+  for (const VertexId v : mesh::irregular_vertices(m)) {
+    if (m.valence(v) == 5) fives.push_back(v);
+  }
+  panel.lines = path({m.find_half_edge(fives.at(0), fives.at(1))});
+  const auto after = sheet.add(panel, 2, 2.5);
+  sheet.arrow(before, between);
+  sheet.arrow(between, after);
 }
 
 }  // namespace
 
 Paint paint_basic_operations() {
-  OperationSheet sheet;
-  add_collapse(sheet);
-  add_split(sheet);
-  const Region patch = grid(4, 5);
-  const HalfEdgeId edge = grid_edge(patch, 5, 2, 2, 0, 1);
+  Sheet sheet;
+  const Region patch = grid(kSide, kSide);
+  const HalfEdgeId edge = grid_edge(patch, kSide, 2, 2, 0, 1);
+  add_collapse(sheet, patch);
+  add_split(sheet, patch);
   add_flips(sheet, patch, edge);
   add_flip_of_two(sheet, patch, edge);
-  return paint(sheet.sheet());
+  return sheet.paint();
 }
 
 }  // namespace requad::figures

@@ -13,11 +13,11 @@ namespace requad::figures {
 
 using namespace pictures;
 
-// What a user may choose. The defaults are those of the gallery.
+// What a user may choose. What is not chosen has the gallery's value.
 struct Choices {
-  std::optional<int> side;                               // of regular regions
-  std::array<int, 4> pair_region{2, 1, 4, 3};            // d1, d2, M, N of figure 12
-  std::vector<theory::Integer> sides{4, 5, 4, 4, 5, 4};  // of the hexagon
+  std::optional<int> side;                            // of regular regions
+  std::optional<std::array<int, 4>> pair_region;      // d1, d2, M, N of figure 12
+  std::optional<std::vector<theory::Integer>> sides;  // of the hexagon
 };
 
 struct Picture {
@@ -29,13 +29,20 @@ struct CatalogueEntry {
   const char* id;     // "2", ..., "14", "dual-10", ...: what --figure takes
   const char* paper;  // the paper's figure, or ""
   const char* title;
-  const char* caption;  // Markdown, one paragraph
+  const char* caption;  // Markdown, one paragraph, which holds for all sizes
   bool is_grid;
+  bool has_labels;     // whether it has labels (mesh/pictures/canvas.hpp)
   const char* choice;  // what of Choices it takes, as an option of requad-figures: "side", "pair-region", "sides" or ""
-  std::function<Picture(const Choices&)> make;  // throws std::invalid_argument if there is no such region
+  int usual_side;      // if it takes a side
+  std::function<Picture(const Choices&, int side)> maker;
 
-  // The name of its files without the extension: "figure-2", "dual-10".
-  std::string file() const;
+  // Throws std::invalid_argument if there is no such region.
+  Picture make(const Choices& choices) const { return maker(choices, choices.side.value_or(usual_side)); }
+  // The name of its files without the extension: "figure-2", "dual-10"; with the size unless that is the usual one:
+  // "figure-10-side-8".
+  std::string file(const Choices& choices = {}) const;
+  // The file of one of its grids alone, if it has several.
+  std::string file(const Grid& grid) const;
 };
 const std::vector<CatalogueEntry>& catalogue();
 

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <set>
 
+#include "figures/pictures/labels.hpp"
+#include "figures/pictures/legend.hpp"
 #include "mesh/geometry/drawing.hpp"
 #include "mesh/pictures/mesh_picture.hpp"
 #include "mesh/topology/separatrix.hpp"
@@ -12,24 +16,24 @@ namespace requad::figures {
 
 namespace {
 
-constexpr double kText = 11;
+using std::numbers::pi;
 
-Stroke grid_stroke(const Grid& grid) {
-  return {grid.colour(), 1.6, grid.parity == Parity::odd ? std::vector<double>{5, 3.5} : std::vector<double>{}};
+constexpr double kStar = 5;  // radius
+
+Stroke grid_stroke(const Canvas& canvas, const Grid& grid) {
+  return {grid.colour(canvas.palette()), 1.6,
+          grid.parity == Parity::odd ? std::vector<double>{5, 3.5} : std::vector<double>{}};
 }
 
-Point at(const GridNode& node, double spacing) { return spacing * Point(node.at[0], node.at[1]); }
-
-// The grid unit, and the room for a mesh at a node. All are in points.
+// The room for the mesh at a node, and the least distance between neighbours: so large that a label has room between
+// them. In units.
 struct Sizes {
-  double spacing;
-  double width;
-  double height;
+  double width, height, spacing;
 };
-Sizes sizes(theory::PairType type) {
-  if (type == theory::kDigon) return {104, 158, 84};
-  if (type == theory::kHexagon) return {132, 110, 110};
-  return {128, 112, 106};
+Sizes sizes(theory::PairType type, double em) {
+  if (type == theory::kDigon) return {158, 84, std::max(104.0, 86 + 1.8 * em)};
+  if (type == theory::kHexagon) return {78, 78, std::max(108.0, 78 + 2.2 * em)};
+  return {112, 106, std::max(130.0, 106 + 2.4 * em)};
 }
 
 // The half-edge at which the drawing starts. A 3-5 region lies as its grid does, with side 1 on the left and side 2
@@ -44,109 +48,119 @@ mesh::HalfEdgeId lowest_side(const GridNode& node, theory::PairType type) {
   return h;
 }
 
-MeshPicture picture_of(const GridNode& node, theory::PairType type, const Sizes& size) {
-  mesh::Region region = node.region;
-  region.root = lowest_side(node, type);
-  // A hexagon stands on a corner, so that the segment of (x,0,p) lies along the axis of its node.
-  const double angle = type == theory::kHexagon ? std::numbers::pi / 2 : 0;
-  const MeshPicture probe(region, Point::Zero(), 1, angle);
-  const Point extent = probe.high() - probe.low();
-  return {region, at(node, size.spacing), std::min(size.width / extent.x(), size.height / extent.y()), angle};
-}
-
-void paint_stars(Canvas& canvas, const MeshPicture& picture, const GridNode& node) {
-  const std::vector<mesh::HalfEdgeId> out = mesh::outward(picture.mesh(), node.frame);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto path = mesh::trace(picture.mesh(), out[i]).path;
-    picture.path(canvas, path, {i == 0 ? ink::kOrange : ink::kRed, 1.1, {2, 1.5}});
-    mark_star(canvas, picture.at(picture.mesh().target(path.back())), 5, i == 0 ? ink::kYellow : ink::kRed);
+// A grid with the mesh of each node, drawn around the origin.
+class GridPicture {
+ public:
+  explicit GridPicture(const GridFigure& figure) : figure_(figure), type_(figure.grids.at(0).shape.type()) {
+    const Sizes size = sizes(type_, 0);
+    for (const GridNode& node : figure.nodes) {
+      mesh::Region region = node.region;
+      region.root = lowest_side(node, type_);
+      // A hexagon stands on a corner, so that the segment of (x,0,p) lies along the axis of its node.
+      const double angle = (type_ == theory::kHexagon ? pi / 2 : 0) + (grid_of(node).upside_down ? pi : 0);
+      const MeshPicture probe(region, Point::Zero(), 1, angle);
+      const Point extent = probe.high() - probe.low();
+      pictures_.emplace_back(region, Point::Zero(), std::min(size.width / extent.x(), size.height / extent.y()), angle);
+    }
   }
-}
 
-void paint_node(Canvas& canvas, const GridFigure& figure, const GridNode& node, const Sizes& size) {
-  const Grid& grid = figure.grids[static_cast<std::size_t>(node.grid)];
-  const MeshPicture picture = picture_of(node, grid.shape.type(), size);
-  const bool copy = node.same_as >= 0;
-  picture.background(canvas, rgb(0xffffff));
-  if (!copy) {
-    picture.faces(canvas, mesh::ring(picture.mesh(), node.frame), ink::kGrey);
-    picture.faces(canvas, mesh::grid(picture.mesh(), node.frame).value(), ink::kPaleBlue);
+  void paint(Canvas& canvas) const {
+    const double spacing = sizes(type_, canvas.style().labels ? canvas.em() : 0).spacing;
+    const auto at = [&](int node) {
+      const GridNode& n = figure_.nodes[static_cast<std::size_t>(node)];
+      return Point(spacing * Point(n.at[0], n.at[1]));
+    };
+    LabelPlaces places(canvas);
+    for (const GridEdge& edge : figure_.edges) {
+      const Polyline line{at(edge.from), at(edge.to)};
+      canvas.stroke({line}, grid_stroke(canvas, grid_of(figure_.nodes[static_cast<std::size_t>(edge.from)])));
+      places.block(line, std::max(2.0, 0.25 * canvas.em()));
+    }
+    std::vector<MeshPicture> moved;
+    Point low = Point::Zero(), high = low;
+    for (std::size_t i = 0; i < pictures_.size(); ++i) {
+      moved.push_back(pictures_[i].moved(at(static_cast<int>(i))));
+      paint_node(canvas, places, figure_.nodes[i], moved.back());
+      low = i == 0 ? moved[i].low() : Point(low.cwiseMin(moved[i].low()));
+      high = i == 0 ? moved[i].high() : Point(high.cwiseMax(moved[i].high()));
+    }
+    constexpr std::array directions{-1.2, -1.94, -0.9,  -2.24, 1.2,  1.94,  0.9,
+                                    2.24, -0.5,  -2.64, 0.5,   2.64, -1.57, 1.57};
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const GridNode& node = figure_.nodes[i];
+      std::string words = node.label;
+      if (node.same_as >= 0) words += " = " + figure_.nodes[static_cast<std::size_t>(node.same_as)].label;
+      places.put(words, node.same_as >= 0 ? canvas.palette().faint_ink : grid_of(node).colour(canvas.palette()),
+                 places.round(moved[i].outline(), words, directions));
+    }
+    paint_legend(canvas, legend(canvas), {(low.x() + high.x()) / 2, low.y() - 2.2 * canvas.em()}, high.x() - low.x());
   }
-  picture.edges(canvas, 0.45, copy ? ink::kFaint : ink::kLine);
-  picture.irregular(canvas, 4.6);
-  if (!grid.shape.type().symmetric()) paint_stars(canvas, picture, node);
-  std::string label = node.label;
-  if (copy) label += " = " + figure.nodes[static_cast<std::size_t>(node.same_as)].label;
-  const double width = 0.56 * kText * static_cast<double>(label.size());
-  const double gap = grid.shape.type().symmetric() ? kText : kText + 4;  // below a star
-  const Point below((picture.low().x() + picture.high().x()) / 2, picture.low().y() - gap);
-  canvas.polygon({below + Point(-width / 2, -2.5), below + Point(width / 2, -2.5), below + Point(width / 2, kText - 2),
-                  below + Point(-width / 2, kText - 2)},
-                 rgb(0xffffff), {});
-  canvas.text(below, label, kText, grid.colour());
-}
+
+ private:
+  const Grid& grid_of(const GridNode& node) const { return figure_.grids[static_cast<std::size_t>(node.grid)]; }
+
+  void paint_node(Canvas& canvas, LabelPlaces& places, const GridNode& node, const MeshPicture& picture) const {
+    const bool copy = node.same_as >= 0;
+    picture.background(canvas, canvas.palette().paper);
+    places.block_area(picture.outline(), 1);
+    if (copy) {
+      picture.edges(canvas, canvas.palette().faint, 0.45);
+      picture.faint_irregular(canvas);
+      return;
+    }
+    picture.faces(canvas, mesh::ring(picture.mesh(), node.frame), canvas.palette().ring);
+    picture.faces(canvas, mesh::grid(picture.mesh(), node.frame).value(), canvas.palette().pair);
+    picture.edges(canvas, canvas.palette().line, 0.45);
+    if (!type_.symmetric()) paint_stars(canvas, places, node, picture);
+    picture.irregular(canvas);
+  }
+
+  void paint_stars(Canvas& canvas, LabelPlaces& places, const GridNode& node, const MeshPicture& picture) const {
+    const std::vector<mesh::HalfEdgeId> out = mesh::outward(picture.mesh(), node.frame);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Colour colour = i == 0 ? canvas.palette().first_star : canvas.palette().second_star;
+      const auto path = mesh::trace(picture.mesh(), out[i]).path;
+      const Point end = picture.at(picture.mesh().target(path.back()));
+      picture.path(canvas, path, {canvas.palette().side, 1.3, {2, 2.4}});
+      mark_star(canvas, end, kStar, colour);
+      places.block_point(end, kStar);
+    }
+  }
+
+  std::vector<LegendEntry> legend(const Canvas& canvas) const {
+    const Palette& palette = canvas.palette();
+    std::vector<LegendEntry> entries;
+    for (const Grid& grid : figure_.grids) {
+      const std::string side = "side " + std::to_string(grid.shape.longest());
+      entries.push_back(LegendEntry::line(grid.parity == Parity::none ? "a move"
+                                          : figure_.grids.size() > 1  ? "a move, " + side
+                                                                      : "a move",
+                                          grid_stroke(canvas, grid)));
+    }
+    for (const int valence : std::set<int>{type_.l1, type_.l2})
+      entries.push_back(LegendEntry::mark("v" + std::to_string(valence), valence));
+    const auto has_quads = [](const GridNode& n) { return n.configuration.d1() * n.configuration.d2() > 0; };
+    if (std::any_of(figure_.nodes.begin(), figure_.nodes.end(), has_quads))
+      entries.push_back(LegendEntry::face("R_{α}, the grid between them", palette.pair));
+    entries.push_back(LegendEntry::face("the smallest convex region around it", palette.ring));
+    if (!type_.symmetric()) {
+      entries.push_back(LegendEntry::star("m from the corner on the lower left", palette.second_star));
+      entries.push_back(LegendEntry::star("n from that corner", palette.first_star));
+    }
+    if (std::any_of(figure_.nodes.begin(), figure_.nodes.end(), [](const GridNode& n) { return n.same_as >= 0; }))
+      entries.push_back(LegendEntry::faint("drawn once more: (0,x) is (x,0)"));
+    return entries;
+  }
+
+  GridFigure figure_;
+  theory::PairType type_;
+  std::vector<MeshPicture> pictures_;
+};
 
 }  // namespace
 
 Paint paint_grid(const GridFigure& figure) {
-  return [figure](Canvas& canvas) {
-    const Sizes size = sizes(figure.grids.at(0).shape.type());
-    for (const GridEdge& edge : figure.edges) {
-      const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
-      const GridNode& to = figure.nodes[static_cast<std::size_t>(edge.to)];
-      canvas.stroke({{at(from, size.spacing), at(to, size.spacing)}},
-                    grid_stroke(figure.grids[static_cast<std::size_t>(from.grid)]));
-    }
-    for (const GridNode& node : figure.nodes) paint_node(canvas, figure, node, size);
-  };
-}
-
-Paint paint_dual(const GridFigure& figure) {
-  return [figure](Canvas& canvas) {
-    constexpr double kLevel = 54;  // points between levels
-    const int quadrants = figure.grids.at(0).shape.type().rotation_count();
-    const auto angle = [quadrants](const theory::Configuration& c) {
-      const auto level = static_cast<double>(c.d1() + c.d2());
-      return 2 * std::numbers::pi * (0.25 - (c.p - static_cast<double>(c.d2()) / level) / quadrants);
-    };
-    for (const GridEdge& edge : figure.edges) {
-      const GridNode& from = figure.nodes[static_cast<std::size_t>(edge.from)];
-      const Stroke stroke = grid_stroke(figure.grids[static_cast<std::size_t>(from.grid)]);
-      // Along an edge, radius and angle change evenly, by the smaller of the two angles. An edge within a level is an
-      // arc. On level 1 of a digon it is a whole circle.
-      const theory::Integer inner = edge.before.d1() + edge.before.d2(), outer = edge.after.d1() + edge.after.d2();
-      double first = angle(edge.before), last = angle(edge.after);
-      if (inner == outer) {
-        const double width = 2 * std::numbers::pi / (static_cast<double>(inner) * quadrants);
-        // Labels of neighbouring quadrants differ by whole turns.
-        if (last < first) std::swap(first, last);
-        if (last - first > 1.5 * width) std::swap(first, last);
-        canvas.arc(Point::Zero(), kLevel * static_cast<double>(inner), first, first + width, stroke);
-        continue;
-      }
-      if (edge.before.merged()) first = last;
-      if (edge.after.merged()) last = first;
-      last = first + std::remainder(last - first, 2 * std::numbers::pi);
-      Polyline spiral;
-      constexpr int kPieces = 32;
-      for (int i = 0; i <= kPieces; ++i) {
-        const double t = static_cast<double>(i) / kPieces;
-        const double radius = kLevel * (static_cast<double>(inner) * (1 - t) + static_cast<double>(outer) * t);
-        const double turned = first + t * (last - first);
-        spiral.emplace_back(radius * std::cos(turned), radius * std::sin(turned));
-      }
-      canvas.stroke({spiral}, stroke);
-    }
-    for (const GridNode& node : figure.nodes) {
-      const Grid& grid = figure.grids[static_cast<std::size_t>(node.grid)];
-      const double half = 3 + 0.27 * kText * static_cast<double>(node.label.size());
-      const Point centre = at(node, kLevel);
-      canvas.polygon({centre + Point(-half, -7.5), centre + Point(half, -7.5), centre + Point(half, 7.5),
-                      centre + Point(-half, 7.5)},
-                     rgb(0xffffff), Stroke{grid.colour(), 1});
-      canvas.text(centre - Point(0, 0.36 * kText), node.label, kText, grid.colour());
-    }
-  };
+  return [picture = std::make_shared<const GridPicture>(figure)](Canvas& canvas) { picture->paint(canvas); };
 }
 
 }  // namespace requad::figures

@@ -1,9 +1,8 @@
-#include "figures/pictures/pair_move_pictures.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
+#include "figures/pictures/paper_pictures.hpp"
 #include "figures/pictures/sheet.hpp"
 #include "mesh/editing/editor.hpp"
 #include "mesh/irregular/pair_moves.hpp"
@@ -67,25 +66,25 @@ HalfEdgeId direction(const QuadMesh& m, const PairMove& move) {
   return {};
 }
 
-// A column of Figure 6: the region before and after a move. The centre of the upper panel is at (x, y).
-void add_pair_move(Sheet& sheet, const Region& start, const PairMove& move, double x, double y) {
-  constexpr double kUnit = 14, kY = -170;
+// A column of Figure 6: the region before and after a move, in this row and the next one.
+void add_pair_move(Sheet& sheet, const Region& start, const PairMove& move, int row, int column) {
+  constexpr double kUnit = 17;
   QuadMesh m = start.mesh;
   const mesh::MoveReport report = mesh::move_pair(m, move);
   require_performed(report.refusal);
   const RegionChange change = perform_all(start, report.operations);
-  Panel before{start, {}};
+  Panel before{start};
   before.stay = ring_round(start.mesh, change.reshaped);
   before.deleted = change.deleted;
-  before.lines = {{mesh::path_between(start.mesh, move.frame), kGreenLine},
-                  {{direction(start.mesh, move)}, {ink::kRed, 2}, true}};
+  before.lines = {{mesh::path_between(start.mesh, move.frame)}};
+  before.direction = direction(start.mesh, move);
   Panel after{change.after, {faces_text(change.made.size(), change.deleted.size())}};
   after.stay = ring_round(change.after.mesh, change.reshaped);
   after.made = change.made;
-  after.lines = {{mesh::path_between(m, report.inverse.frame), kGreenLine}};
-  sheet.panels.push_back({before, {x, y}, kUnit});
-  sheet.panels.push_back({after, {x, y + kY + 12}, kUnit});
-  sheet.arrow({x, y + 0.5 * kY + 12}, {x, y + 0.5 * kY - 8});
+  after.lines = {{mesh::path_between(m, report.inverse.frame)}};
+  before.unit = after.unit = kUnit;
+  const auto first = sheet.add(before, row, column);
+  sheet.arrow(first, sheet.add(after, row + 1, column));
 }
 
 // --- Figure 7 --------------------------------------------------------------------------------------------------------
@@ -147,20 +146,17 @@ std::vector<BasicOperation> detour(const Region& start, const mesh::FeatureSet& 
 }  // namespace
 
 Paint paint_pair_moves() {
-  Sheet sheet;
-  constexpr double kX = 172, kY = -340;
-  double y = 0;
+  Sheet sheet(30, 38);
+  int row = 0;
   for (const Region& start :
        {region_with(theory::kQuad, 3, 0, {3, 3, 3, 3}), region_with(theory::kQuad, 2, 1, {3, 3, 3, 3})}) {
-    double x = 0;
+    int column = 0;
     const VertexId five = irregular_vertex(start.mesh, 5), three = irregular_vertex(start.mesh, 3);
-    for (const PairMove& move : mesh::pair_moves(start.mesh, five, three)) {
-      add_pair_move(sheet, start, move, x, y);
-      x += kX;
-    }
-    y += kY;
+    for (const PairMove& move : mesh::pair_moves(start.mesh, five, three))
+      add_pair_move(sheet, start, move, row, column++);
+    row += 2;
   }
-  return paint(sheet);
+  return sheet.paint();
 }
 
 Paint paint_detour() {
@@ -171,12 +167,11 @@ Paint paint_detour() {
   const mesh::FeatureSet features = feature_across(start.mesh, direct);
   const std::vector<BasicOperation> operations = detour(start, features, {five, three});
 
-  Sheet sheet;
-  constexpr double kUnit = 17, kX = 205;
+  Sheet sheet(30);
   const std::size_t total = operations.size();
   const std::array<std::size_t, 4> stops{0, (total + 2) / 3, (2 * total + 2) / 3, total};
   const std::array<const char*, 4> words{"(a) a feature crosses the path", "(b) an adjacent 3-5 pair sets out",
-                                         "(c) and goes round the feature", "(d) both have moved, the feature is kept"};
+                                         "(c) and goes round the feature", "(d) both moved, the feature is kept"};
   const std::vector<FaceId> all_deleted = perform_all(start, operations).deleted;
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const RegionChange change =
@@ -186,18 +181,18 @@ Paint paint_detour() {
     std::copy_if(all_deleted.begin(), all_deleted.end(), std::back_inserter(panel.deleted), [&](FaceId f) {
       return std::find(change.deleted.begin(), change.deleted.end(), f) == change.deleted.end();
     });
-    if (i == 0) panel.lines.push_back({direct, kGreenLine});
+    if (i == 0) panel.lines.push_back({direct});
     for (const auto& e : features.edges()) {
-      panel.lines.push_back({{change.after.mesh.find_half_edge(e[0], e[1])}, {ink::kBlack, 3.4}});
+      panel.lines.push_back({{change.after.mesh.find_half_edge(e[0], e[1])}, Panel::Line::Kind::feature});
     }
-    sheet.panels.push_back({panel, {static_cast<double>(i) * kX, 0}, kUnit});
+    panel.unit = 17;
+    sheet.add(panel, 0, static_cast<double>(i));
   }
-  return paint(sheet);
+  return sheet.paint();
 }
 
 Paint paint_equal_pair_moves() {
   Sheet sheet;
-  constexpr double kUnit = 20, kX = 250;
   const std::array<PairStep, 2> steps{PairStep::slide_second, PairStep::close};  // (-1,+1) and (+1,+1)
   Region region = region_with(theory::kDigon, 3, 1, {2, 2});
   std::vector<FaceId> made;
@@ -221,11 +216,10 @@ Paint paint_equal_pair_moves() {
       made = change.made;
       region = change.after;
     }
-    const double x = static_cast<double>(i) * kX;
-    sheet.panels.push_back({panel, {x, 0}, kUnit});
-    if (i > 0) sheet.arrow({x - 0.5 * kX - 14, 0}, {x - 0.5 * kX + 14, 0});
+    const auto added = sheet.add(panel, 0, static_cast<double>(i));
+    if (i > 0) sheet.arrow(added - 1, added);
   }
-  return paint(sheet);
+  return sheet.paint();
 }
 
 }  // namespace requad::figures

@@ -1,6 +1,8 @@
 // A panel: one of several meshes in a figure, with marks on it and words below it.
 #pragma once
 
+#include <functional>
+
 #include "mesh/pictures/mesh_picture.hpp"
 #include "theory/pair_system.hpp"
 
@@ -10,29 +12,36 @@ using namespace pictures;
 
 struct Panel {
   mesh::Region region;
-  std::vector<std::string> words = {};  // lines of text below the mesh
+  std::vector<std::string> words = {};  // below the mesh; each begins a new line
   std::vector<mesh::FaceId> stay = {};  // quads that stay; drawn pale
   std::vector<mesh::FaceId> grey = {};
   std::vector<mesh::FaceId> blue = {};
   std::vector<mesh::FaceId> made = {};
   std::vector<mesh::FaceId> deleted = {};
   struct Line {
+    enum class Kind { path, feature, thin };
     std::vector<mesh::HalfEdgeId> path;
-    Stroke stroke;
-    bool arrow = false;  // an arrow from the first to the last vertex
+    Kind kind = Kind::path;
   };
   std::vector<Line> lines = {};
+  mesh::HalfEdgeId direction = {};        // of a move: an arrow from its origin,
+  double aside = 0;                       // so many units to the left of it
   std::vector<mesh::VertexId> dots = {};  // marked regular vertices
+  double unit = 20;                       // an edge is about so long
+  double angle = 0;                       // by which the mesh is turned, in radians
+  // What a figure adds to the mesh, on top, and how far it reaches beyond the mesh at a size of letters.
+  std::function<void(Canvas&, const MeshPicture&)> overlay = {};
+  std::function<Point(const Canvas&)> margin = {};
 };
 
 // The region of a pair with these parameters, or of the merged vertex if d1 = d2 = 0. See enumerate::glue_region().
 mesh::Region region_with(theory::PairType type, theory::Integer d1, theory::Integer d2,
                          const std::vector<theory::Integer>& strips);
 
-inline constexpr Stroke kGreenLine{ink::kGreen, 2.4};
+// Strokes of paths on a mesh, the same in all figures.
+Stroke stroke_of(const Canvas& canvas, Panel::Line::Kind kind);
 
-// Draws the panel around `centre`, turned by an angle in radians. Edges are about `unit` points long, and letters are
-// `text` points high.
-void paint_panel(Canvas& canvas, const Panel& panel, Point centre, double unit, double angle = 0, double text = 10);
+// Draws the panel on the picture of its region, without its words.
+void paint_panel(Canvas& canvas, const Panel& panel, const MeshPicture& picture);
 
 }  // namespace requad::figures

@@ -1,11 +1,12 @@
-#include "figures/pictures/region_pictures.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "enumerate/generators.hpp"
 #include "enumerate/labels.hpp"
-#include "figures/pictures/panel.hpp"
+#include "figures/pictures/labels.hpp"
+#include "figures/pictures/paper_pictures.hpp"
+#include "figures/pictures/sheet.hpp"
 #include "mesh/topology/separatrix.hpp"
 
 namespace requad::figures {
@@ -17,12 +18,14 @@ using mesh::QuadMesh;
 using mesh::Region;
 using mesh::VertexId;
 
-void triangle(Canvas& canvas, Point at, bool convex) {
-  constexpr double kRadius = 5;
-  const double s = convex ? 1 : -1;
-  canvas.polygon(
-      {at + kRadius * Point(0, s), at + kRadius * Point(-0.87, -0.5 * s), at + kRadius * Point(0.87, -0.5 * s)},
-      convex ? ink::kBlue : ink::kRed, Stroke{ink::kBlack, 0.5});
+// The mark of a turn: convex a disc, concave a ring. No irregular vertex looks like them.
+void mark_turn(Canvas& canvas, Point at, bool convex) {
+  constexpr double kRadius = 3.8;
+  if (convex) {
+    canvas.circle(at, kRadius, canvas.palette().convex, Stroke{canvas.palette().ink, 0.5});
+  } else {
+    canvas.circle(at, kRadius, canvas.palette().paper, Stroke{canvas.palette().concave, 1.8});
+  }
 }
 
 // The path that starts with h. At each vertex it goes straight on for 's', left for 'l' and right for 'r'.
@@ -42,147 +45,212 @@ int quads_on_left(const QuadMesh& m, HalfEdgeId in, HalfEdgeId out) {
   return quads;
 }
 
-void paint_path(Canvas& canvas, const MeshPicture& picture, const std::vector<HalfEdgeId>& path, bool loop) {
-  picture.path(canvas, path, kGreenLine);
+void mark_turns(Canvas& canvas, const MeshPicture& picture, const std::vector<HalfEdgeId>& path, bool loop) {
   for (std::size_t i = loop ? 0 : 1; i < path.size(); ++i) {
     const HalfEdgeId in = path[(i + path.size() - 1) % path.size()];
     const int quads = quads_on_left(picture.mesh(), in, path[i]);
-    if (quads != 2) triangle(canvas, picture.at(picture.mesh().origin(path[i])), quads == 1);
+    if (quads != 2) mark_turn(canvas, picture.at(picture.mesh().origin(path[i])), quads == 1);
   }
 }
+
+// --- Figure 14 -------------------------------------------------------------------------------------------------------
+
+// The frame of a region whose labels are those of the region: label 1 on side 1.
+mesh::PairFrame own_frame(const Region& region, theory::PairType type) {
+  const enumerate::Reading reading = enumerate::read(region, type);
+  return std::find_if(reading.frames.begin(), reading.frames.end(), [](const auto& f) { return f.labelling.p == 1; })
+      ->frame;
+}
+
+// What a region of Figure 14 has beside its mesh: sides, corners, separatrices, and their names.
+class Names {
+ public:
+  Names(Canvas& canvas, const MeshPicture& picture, const mesh::PairFrame& frame)
+      : canvas_(canvas), picture_(picture), m_(picture.mesh()), frame_(frame), places_(canvas) {}
+
+  void paint() {
+    picture_.boundary(canvas_, {canvas_.palette().side, 2});
+    const auto separatrices = outward();
+    for (const auto& path : separatrices) picture_.path(canvas_, path, dashed());
+    places_.block(closed(picture_.outline()), 3);
+    for (const auto& path : separatrices) places_.block(picture_.line(path), 3);
+    for (const auto& path : separatrices) star(path);
+    for (const VertexId v : {frame_.v1, frame_.v2}) places_.block_point(picture_.at(v), kMarkRadius);
+    picture_.irregular(canvas_);
+    sides();
+    for (std::size_t i = 0; i < separatrices.size(); ++i)
+      name_path(separatrices[i], "e_" + std::to_string(i + 1), canvas_.palette().path);
+    // The legs of v1: the first is d2 long, the second d1 (mesh/irregular/pair_frame.hpp).
+    name_path(leg(frame_.first_leg, frame_.d2), "d_2", canvas_.palette().ink);
+    name_path(leg(frame_.second_leg, frame_.d1), "d_1", canvas_.palette().ink);
+    constexpr std::array directions{0.4, 2.7, -0.4, -2.7, 1.2, 1.9, -1.2, -1.9};
+    for (const auto& [v, words] : {std::pair{frame_.v1, "v_1"}, {frame_.v2, "v_2"}}) {
+      const double r = kMarkRadius;
+      const Point at = picture_.at(v);
+      const Polyline mark{at + Point(-r, -r), at + Point(r, -r), at + Point(r, r), at + Point(-r, r)};
+      places_.put(words, canvas_.palette().ink, places_.round(mark, words, directions));
+    }
+  }
+
+ private:
+  // Told from the sides, which are solid, without colours.
+  Stroke dashed() const { return {canvas_.palette().path, 2, {5, 3.6}}; }
+  static Polyline closed(Polyline line) {
+    line.push_back(line.front());
+    return line;
+  }
+  std::vector<std::vector<HalfEdgeId>> outward() const {
+    std::vector<std::vector<HalfEdgeId>> paths;
+    for (const HalfEdgeId h : mesh::outward_of_both(m_, frame_)) paths.push_back(mesh::trace(m_, h).path);
+    return paths;
+  }
+  std::vector<HalfEdgeId> leg(HalfEdgeId h, int length) const {
+    std::vector<HalfEdgeId> path{h};
+    while (static_cast<int>(path.size()) < length) path.push_back(m_.straight(path.back()));
+    return path;
+  }
+  void star(const std::vector<HalfEdgeId>& path) {
+    const Point at = picture_.at(m_.target(path.back()));
+    mark_star(canvas_, at, 5, canvas_.palette().first_star);
+    places_.block_point(at, 5);
+  }
+  // A name beside the middle of one of the edges of a path, the middle and outer ones first.
+  void name_path(const std::vector<HalfEdgeId>& path, const std::string& words, Colour colour) {
+    const double em = canvas_.em(), half = canvas_.width_of(words) / 2;
+    std::vector<std::size_t> order(path.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto from_middle = [&](std::size_t i) {
+      return std::abs(static_cast<double>(i) + 0.4 - static_cast<double>(path.size()) / 2);
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return from_middle(a) < from_middle(b); });
+    std::vector<LabelPlaces::Place> places;
+    for (const std::size_t i : order) {
+      const Point from = picture_.at(m_.origin(path[i])), to = picture_.at(m_.target(path[i]));
+      const Point along = (to - from).normalized(), across(-along.y(), along.x());
+      const double away = 4 + std::abs(across.x()) * half + std::abs(across.y()) * 0.45 * em;
+      for (const double side : {1.0, -1.0, 1.25, -1.25, 1.8, -1.8}) {
+        for (const double shift : {0.0, 0.25, -0.25})
+          places.push_back({(from + to) / 2 + shift * (to - from) + side * away * across - Point(0, 0.27 * em)});
+      }
+    }
+    places_.put(words, colour, places);
+  }
+  // Corners, and lengths of sides outside of the region.
+  void sides() {
+    const std::vector<int> lengths = mesh::side_lengths(picture_.region());
+    const Point page = (picture_.low() + picture_.high()) / 2;
+    HalfEdgeId h = picture_.region().root;
+    for (std::size_t side = 0; side < lengths.size(); ++side) {
+      mark_turn(canvas_, picture_.at(m_.origin(h)), true);
+      std::vector<Point> points{picture_.at(m_.origin(h))};
+      for (int i = 0; i < lengths[side]; ++i) {
+        h = m_.next_on_boundary(h);
+        points.push_back(picture_.at(m_.origin(h)));
+      }
+      const auto length = points.size() - 1;
+      const Point middle = (points[length / 2] + points[(length + 1) / 2]) / 2;
+      const Point along = (points[length / 2 + 1] - points[(length - 1) / 2]).normalized();
+      const Point out = (middle - page).dot(Point(along.y(), -along.x())) > 0 ? Point(along.y(), -along.x())
+                                                                              : Point(-along.y(), along.x());
+      const std::string words = "E_" + std::to_string(side + 1) + " = " + std::to_string(lengths[side]);
+      const double em = canvas_.em(), half = canvas_.width_of(words) / 2;
+      const double away = 5 + std::abs(out.x()) * half + std::abs(out.y()) * 0.5 * em;
+      std::vector<LabelPlaces::Place> places;
+      for (const double more : {0.0, 0.4, 0.8, 1.2})
+        places.push_back({middle + (away + more * em) * out - Point(0, 0.27 * em)});
+      places_.put(words, canvas_.palette().side, places);
+    }
+  }
+
+  Canvas& canvas_;
+  const MeshPicture& picture_;
+  const QuadMesh& m_;
+  const mesh::PairFrame& frame_;
+  LabelPlaces places_;
+};
 
 }  // namespace
 
 Paint paint_turns_and_smallest() {
-  return [](Canvas& canvas) {
-    // A grid of regular vertices is the region of a "vertex of valence 4".
-    const Region grid = region_with({4, 4}, 0, 0, {3, 4, 3, 4});
-    const QuadMesh& m = grid.mesh;
-    // The path starts at the first interior vertex on the diagonal, to the right.
-    const HalfEdgeId first = m.straight(m.twin(QuadMesh::opposite(grid.root)));
-    for (const bool loop : {false, true}) {
-      const MeshPicture picture(grid, {loop ? 400.0 : 130.0, 0}, 26);
-      picture.background(canvas, rgb(0xffffff));
-      picture.edges(canvas);
-      paint_path(canvas, picture, path_of(m, first, loop ? "sssslslsrslsslsss" : "slsrslr"), loop);
-      canvas.text({loop ? 400.0 : 130.0, picture.low().y() - 16}, loop ? "a loop" : "an open path", 10);
+  Sheet sheet(34, 22);
+  // A grid of regular vertices is the region of a "vertex of valence 4".
+  const Region grid = region_with({4, 4}, 0, 0, {3, 4, 3, 4});
+  // The path starts at the first interior vertex on the diagonal, to the right.
+  const HalfEdgeId first = grid.mesh.straight(grid.mesh.twin(QuadMesh::opposite(grid.root)));
+  for (const bool loop : {false, true}) {
+    const auto path = path_of(grid.mesh, first, loop ? "sssslslsrslsslsss" : "slsrslr");
+    Panel panel{grid, {loop ? "(a) a loop" : "(a) an open path"}};
+    panel.lines = {{path}};
+    panel.overlay = [path, loop](Canvas& canvas, const MeshPicture& picture) {
+      mark_turns(canvas, picture, path, loop);
+    };
+    panel.unit = 19;
+    sheet.add(panel, 0, loop ? 1.55 : 0.45);
+  }
+  const std::array<std::pair<theory::PairType, std::vector<theory::Integer>>, 3> kinds{
+      {{theory::kDigon, {1, 1}}, {theory::kHexagon, {1, 1, 1, 1, 1, 1}}, {theory::kQuad, {1, 1, 1, 1}}}};
+  const std::array<std::array<theory::Integer, 2>, 3> extents{{{3, 2}, {2, 3}, {4, 0}}};
+  for (std::size_t row = 0; row < kinds.size(); ++row) {
+    for (std::size_t column = 0; column < extents.size(); ++column) {
+      const auto [d1, d2] = extents[column];
+      Panel panel{
+          region_with(kinds[row].first, d1, d2, kinds[row].second),
+          {"(b) " + kinds[row].first.name() + ": d_1 = " + std::to_string(d1) + ", d_2 = " + std::to_string(d2)}};
+      const enumerate::Reading reading = enumerate::read(panel.region, kinds[row].first);
+      const mesh::PairFrame& frame = reading.frames.at(0).frame;
+      panel.grey = mesh::ring(panel.region.mesh, frame);
+      panel.blue = mesh::grid(panel.region.mesh, frame).value();
+      panel.unit = 17;
+      sheet.add(panel, static_cast<int>(row) + 1, static_cast<double>(column));
     }
-    canvas.text({-20, 0}, "(a)", 12);
-    const std::array<std::pair<theory::PairType, std::vector<theory::Integer>>, 3> kinds{
-        {{theory::kDigon, {1, 1}}, {theory::kHexagon, {1, 1, 1, 1, 1, 1}}, {theory::kQuad, {1, 1, 1, 1}}}};
-    const std::array<std::array<theory::Integer, 2>, 3> extents{{{3, 2}, {2, 3}, {4, 0}}};
-    canvas.text({-20, -200}, "(b)", 12);
-    for (std::size_t row = 0; row < kinds.size(); ++row) {
-      for (std::size_t column = 0; column < extents.size(); ++column) {
-        const auto [d1, d2] = extents[column];
-        Panel panel{region_with(kinds[row].first, d1, d2, kinds[row].second),
-                    {kinds[row].first.name() + ":  d_1 = " + std::to_string(d1) + ", d_2 = " + std::to_string(d2)}};
-        const enumerate::Reading reading = enumerate::read(panel.region, kinds[row].first);
-        const mesh::PairFrame& frame = reading.frames.at(0).frame;
-        panel.grey = mesh::ring(panel.region.mesh, frame);
-        panel.blue = mesh::grid(panel.region.mesh, frame).value();
-        paint_panel(canvas, panel, {90 + 190 * static_cast<double>(column), -200 - 165 * static_cast<double>(row)}, 17);
-      }
-    }
-  };
+  }
+  return sheet.paint();
 }
 
 Paint paint_separatrices() {
-  return [](Canvas& canvas) {
-    struct Kind {
-      theory::PairType type;
-      theory::Integer d1, d2;
-      std::vector<theory::Integer> strips;
-      double x, unit;
-      const char* words;
-    };
-    const std::vector<Kind> kinds{{theory::kDigon, 3, 2, {2, 3}, 0, 27, "(a) a 3-3 pair"},
-                                  {theory::kHexagon, 3, 2, {2, 2, 2, 3, 2, 2}, 370, 21, "(b) a 5-5 pair"},
-                                  {theory::kQuad, 3, 2, {2, 3, 2, 2}, 690, 21, "(c) a 3-5 pair"}};
-    for (const Kind& kind : kinds) {
-      const Region region = region_with(kind.type, kind.d1, kind.d2, kind.strips);
-      const MeshPicture picture(region, {kind.x, 0}, kind.unit);
-      const QuadMesh& m = region.mesh;
-      const enumerate::Reading reading = enumerate::read(region, kind.type);
-      // The frame whose labels are those of the region: label 1 on side 1.
-      const auto frame = std::find_if(reading.frames.begin(), reading.frames.end(), [](const auto& f) {
-                           return f.labelling.p == 1;
-                         })->frame;
-      picture.background(canvas, rgb(0xffffff));
-      picture.faces(canvas, mesh::grid(m, frame).value(), ink::kPaleBlue);
-      picture.edges(canvas);
-      picture.boundary(canvas, {ink::kRed, 2});
-      const Point centre = (picture.at(frame.v1) + picture.at(frame.v2)) / 2;
-
-      int label = 0;
-      std::vector<Point> stars;
-      for (const HalfEdgeId h : mesh::outward_of_both(m, frame)) {
-        ++label;
-        const auto path = mesh::trace(m, h).path;
-        picture.path(canvas, path, kGreenLine);
-        stars.push_back(picture.at(m.target(path.back())));
-        // The text lies beside the middle edge of the separatrix, clear of the line.
-        const HalfEdgeId at = path[path.size() / 2];
-        const Point from = picture.at(m.origin(at)), to = picture.at(m.target(at));
-        const Point along = (to - from).normalized();
-        canvas.text((from + to) / 2 + 9 * Point(-along.y(), along.x()) - Point(0, 4), "e_" + std::to_string(label), 11,
-                    ink::kGreen);
-      }
-      // The legs of v1: the first is d2 long, the second d1 (mesh/irregular/pair_frame.hpp).
-      const auto leg_text = [&](HalfEdgeId h, int length, const std::string& words) {
-        for (int i = 0; i < length / 2; ++i) h = m.straight(h);
-        const Point from = picture.at(m.origin(h)), to = picture.at(m.target(h));
-        const Point middle = length % 2 == 0 ? from : Point((from + to) / 2);
-        canvas.text(middle + 0.35 * (centre - middle).normalized() * 21 - Point(0, 4), words, 11);
-      };
-      leg_text(frame.first_leg, frame.d2, "d_2");
-      leg_text(frame.second_leg, frame.d1, "d_1");
-      for (const Point& star : stars) mark_star(canvas, star, 5, ink::kYellow);
-      picture.irregular(canvas, 5);
-      for (const auto& [v, name] : {std::pair{frame.v1, "v_1"}, {frame.v2, "v_2"}}) {
-        const Point out = (picture.at(v) - centre).normalized();
-        canvas.text(picture.at(v) + 13 * Point(out.y(), -out.x()) - Point(0, 4), name, 11);
-      }
-      // The sides: their corners and lengths.
-      const std::vector<int> sides = mesh::side_lengths(region);
-      const Point page = (picture.low() + picture.high()) / 2;
-      HalfEdgeId h = region.root;
-      for (std::size_t side = 0; side < sides.size(); ++side) {
-        triangle(canvas, picture.at(m.origin(h)), true);
-        const auto on_side = [&](int edges) {
-          HalfEdgeId g = h;
-          for (int i = 0; i < edges; ++i) g = m.next_on_boundary(g);
-          return picture.at(m.origin(g));
-        };
-        const int length = sides[side];
-        const Point middle = (on_side(length / 2) + on_side((length + 1) / 2)) / 2;
-        const Point out = (middle - page).normalized();
-        for (int i = 0; i < length; ++i) h = m.next_on_boundary(h);
-        canvas.text(middle + Point(30 * out.x(), 17 * out.y()) - Point(0, 4),
-                    "E_" + std::to_string(side + 1) + " = " + std::to_string(sides[side]), 11, ink::kRed);
-      }
-      canvas.text({kind.x, -150}, kind.words, 12);
-    }
+  struct Kind {
+    theory::PairType type;
+    theory::Integer d1, d2;
+    std::vector<theory::Integer> strips;
+    double unit;
+    const char* words;
   };
+  const std::vector<Kind> kinds{{theory::kDigon, 3, 2, {2, 3}, 25, "(a) a 3-3 pair"},
+                                {theory::kHexagon, 3, 2, {2, 2, 2, 3, 2, 2}, 22, "(b) a 5-5 pair"},
+                                {theory::kQuad, 3, 2, {2, 3, 2, 2}, 24, "(c) a 3-5 pair"}};
+  Sheet sheet(14);
+  for (const Kind& kind : kinds) {
+    Panel panel{region_with(kind.type, kind.d1, kind.d2, kind.strips), {kind.words}};
+    const mesh::PairFrame frame = own_frame(panel.region, kind.type);
+    panel.blue = mesh::grid(panel.region.mesh, frame).value();
+    panel.unit = kind.unit;
+    panel.overlay = [frame](Canvas& canvas, const MeshPicture& picture) { Names(canvas, picture, frame).paint(); };
+    panel.margin = [](const Canvas& canvas) {
+      return canvas.style().labels ? Point(3.8, 1.6) * canvas.em() : Point(0, 0);
+    };
+    sheet.add(panel, 0, static_cast<double>(&kind - kinds.data()));
+  }
+  return sheet.paint();
 }
 
 Paint paint_lone_v8(int length) {
-  return [length](Canvas& canvas) {
-    const theory::PairType type{6, 6};  // merged: a v8
-    constexpr double kSpacing = 130, kSize = 106;
-    for (const theory::Configuration& c :
-         theory::merged_configurations({type, theory::IntegerVector::Constant(8, length)})) {
-      const theory::Integer i = c.parameters.e(0), j = c.parameters.e(1);
-      Panel panel{enumerate::glue_region(type, c), {"e_1 = " + std::to_string(i) + ", e_2 = " + std::to_string(j)}};
-      const VertexId v = mesh::irregular_vertices(panel.region.mesh).at(0);
-      panel.region.mesh.for_each_out(v, [&](HalfEdgeId h) {
-        panel.lines.push_back({mesh::trace(panel.region.mesh, h).path, {ink::kGreen, 1.1}});
-      });
-      const MeshPicture probe(panel.region, Point::Zero(), 1);
-      paint_panel(canvas, panel, kSpacing * Point(static_cast<double>(i), static_cast<double>(j)),
-                  kSize / (probe.high().x() - probe.low().x()));
-    }
-  };
+  const theory::PairType type{6, 6};  // merged: a v8
+  constexpr double kSize = 118;
+  Sheet sheet(26, 20);
+  for (const theory::Configuration& c :
+       theory::merged_configurations({type, theory::IntegerVector::Constant(8, length)})) {
+    const theory::Integer i = c.parameters.e(0), j = c.parameters.e(1);
+    Panel panel{enumerate::glue_region(type, c), {"e_1 = " + std::to_string(i) + ", e_2 = " + std::to_string(j)}};
+    const VertexId v = mesh::irregular_vertices(panel.region.mesh).at(0);
+    panel.region.mesh.for_each_out(v, [&](HalfEdgeId h) {
+      panel.lines.push_back({mesh::trace(panel.region.mesh, h).path, Panel::Line::Kind::thin});
+    });
+    const MeshPicture probe(panel.region, Point::Zero(), 1);
+    panel.unit = kSize / (probe.high().x() - probe.low().x());
+    sheet.add(panel, length - static_cast<int>(j), static_cast<double>(i));
+  }
+  return sheet.paint();
 }
 
 }  // namespace requad::figures

@@ -1,5 +1,9 @@
 #include "figures/pictures/sheet.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -9,14 +13,100 @@
 namespace requad::figures {
 
 using mesh::FaceId;
+using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::Region;
 using mesh::VertexId;
 
-Paint paint(const Sheet& sheet) {
-  return [sheet](Canvas& canvas) {
-    for (const PlacedPanel& p : sheet.panels) paint_panel(canvas, p.panel, p.centre, p.unit, p.angle);
-    for (const auto& [from, to] : sheet.arrows) canvas.arrow(from, to, {ink::kBlack, 1.2}, 7);
+// Where everything lies on a canvas.
+struct Sheet::Layout {
+  struct Box {
+    Point low, high;
+  };
+  std::vector<Point> centres;                   // of the meshes
+  std::vector<std::vector<std::string>> words;  // in lines
+  std::vector<double> baselines;                // of the first lines
+  std::vector<Box> boxes;                       // of the meshes with their words
+};
+
+std::size_t Sheet::add(Panel panel, int row, double column) {
+  MeshPicture picture(panel.region, Point::Zero(), panel.unit, panel.angle);
+  cells_.push_back({std::move(panel), picture.centred(), row, column});
+  return cells_.size() - 1;
+}
+
+Sheet::Layout Sheet::layout(const Canvas& canvas) const {
+  const double em = canvas.em();
+  const auto margin = [&](const Cell& cell) { return cell.panel.margin ? cell.panel.margin(canvas) : Point(0, 0); };
+  double pitch = 0;
+  for (const Cell& cell : cells_) {
+    pitch = std::max(pitch, cell.size().x() + 2 * margin(cell).x() + column_gap_);
+    // No word may be wider than a column.
+    for (const std::string& word : canvas.caption_lines(cell.panel.words, 0))
+      pitch = std::max(pitch, canvas.width_of(word) + em);
+  }
+  struct Row {
+    double height = 0, middle = 0, bottom = 0;
+    std::size_t lines = 0;
+  };
+  std::map<int, Row> rows;
+  Layout result;
+  for (const Cell& cell : cells_) {
+    result.words.push_back(canvas.caption_lines(cell.panel.words, pitch - 1.5 * em));
+    Row& row = rows[cell.row];
+    row.height = std::max(row.height, cell.size().y() + 2 * margin(cell).y());
+    row.lines = std::max(row.lines, result.words.back().size());
+  }
+  double top = 0;
+  for (auto& [number, row] : rows) {
+    row.middle = top - row.height / 2;
+    row.bottom = top - row.height;
+    const double words = row.lines > 0 ? 0.6 * em + canvas.line_height() * static_cast<double>(row.lines) : 0;
+    top = row.bottom - words - row_gap_;
+  }
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const Cell& cell = cells_[i];
+    const Row& row = rows.at(cell.row);
+    const Point centre(cell.column * pitch, row.middle);
+    result.centres.push_back(centre);
+    result.baselines.push_back(row.bottom - 1.5 * em);
+    Layout::Box box{centre - cell.size() / 2, centre + cell.size() / 2};
+    if (!result.words[i].empty())
+      box.low.y() = result.baselines[i] - canvas.line_height() * static_cast<double>(result.words[i].size() - 1);
+    result.boxes.push_back(box);
+  }
+  return result;
+}
+
+// The arrow lies in the middle of what the boxes of the panels leave free between their centres.
+void Sheet::paint_arrow(Canvas& canvas, const Layout& layout, std::size_t from, std::size_t to) const {
+  constexpr double kLongest = 28, kGap = 4;
+  const Point along = (layout.centres[to] - layout.centres[from]).normalized();
+  const auto reach = [&](std::size_t cell, const Point& direction) {  // from the centre to the rim of the box
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 2; ++k) {
+      if (std::abs(direction[k]) < 1e-9) continue;
+      const double side = direction[k] > 0 ? layout.boxes[cell].high[k] : layout.boxes[cell].low[k];
+      least = std::min(least, (side - layout.centres[cell][k]) / direction[k]);
+    }
+    return least;
+  };
+  const Point start = layout.centres[from] + along * reach(from, along);
+  const Point end = layout.centres[to] - along * reach(to, -along);
+  const double length = std::clamp((end - start).dot(along) - 2 * kGap, 10.0, kLongest);
+  const Point middle = (start + end) / 2;
+  canvas.arrow(middle - length / 2 * along, middle + length / 2 * along, {canvas.palette().ink, 1.2}, 7);
+}
+
+Paint Sheet::paint() const {
+  return [sheet = *this](Canvas& canvas) {
+    const Layout layout = sheet.layout(canvas);
+    for (std::size_t i = 0; i < sheet.cells_.size(); ++i) {
+      const Cell& cell = sheet.cells_[i];
+      paint_panel(canvas, cell.panel, cell.picture.moved(layout.centres[i]));
+      canvas.caption({layout.centres[i].x(), layout.baselines[i]}, layout.words[i]);
+    }
+    for (const auto& [from, to] : sheet.arrows_) sheet.paint_arrow(canvas, layout, from, to);
   };
 }
 
@@ -35,6 +125,10 @@ VertexId irregular_vertex(const QuadMesh& m, int valence) {
 
 Region with_mesh(const Region& before, const QuadMesh& after) {
   return {after, after.out(before.mesh.origin(before.root))};
+}
+
+HalfEdgeId turned_edge(const mesh::BasicOperation& flip) {
+  return flip.kind == mesh::BasicOperation::Kind::flip_ccw ? QuadMesh::next(flip.h) : QuadMesh::previous(flip.h);
 }
 
 RegionChange perform_all(const Region& region, const std::vector<mesh::BasicOperation>& operations) {

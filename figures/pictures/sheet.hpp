@@ -9,20 +9,37 @@
 
 namespace requad::figures {
 
-struct PlacedPanel {
-  Panel panel;
-  Point centre;
-  double unit = 20;  // see paint_panel()
-  double angle = 0;
-};
+// Panels in rows and columns. All columns are equally wide, and so far apart that meshes and words have room. In a row,
+// the middles of the meshes are level, and so are the first lines of their words.
+class Sheet {
+ public:
+  // The least distance between the meshes of neighbouring columns, and between a row and the next one.
+  explicit Sheet(double column_gap = 56, double row_gap = 26) : column_gap_(column_gap), row_gap_(row_gap) {}
 
-struct Sheet {
-  std::vector<PlacedPanel> panels;
-  std::vector<std::array<Point, 2>> arrows;
+  // Adds a panel, and returns its number. Columns may lie between others, as 0.5 does.
+  std::size_t add(Panel panel, int row, double column);
+  // Adds an arrow between two panels.
+  void arrow(std::size_t from, std::size_t to) { arrows_.push_back({from, to}); }
 
-  void arrow(Point from, Point to) { arrows.push_back({from, to}); }
+  Paint paint() const;
+
+ private:
+  struct Cell {
+    Panel panel;
+    MeshPicture picture;  // with its centre at the origin
+    int row;
+    double column;
+
+    Point size() const { return picture.high() - picture.low(); }
+  };
+  struct Layout;
+  Layout layout(const Canvas& canvas) const;
+  void paint_arrow(Canvas& canvas, const Layout& layout, std::size_t from, std::size_t to) const;
+
+  double column_gap_, row_gap_;
+  std::vector<Cell> cells_;
+  std::vector<std::array<std::size_t, 2>> arrows_;
 };
-Paint paint(const Sheet& sheet);
 
 // Throws std::logic_error with the reason if the operation of a figure was refused.
 void require_performed(mesh::Refusal refusal);
@@ -40,6 +57,9 @@ struct RegionChange {
   std::vector<mesh::FaceId> deleted;     // faces of the region before
   std::vector<mesh::VertexId> reshaped;  // vertices whose valence changed, removed ones included
 };
+// The edge that a flip has turned, afterwards. Precondition: the operation is a flip.
+mesh::HalfEdgeId turned_edge(const mesh::BasicOperation& flip);
+
 // Throws as require_performed().
 RegionChange perform_all(const mesh::Region& region, const std::vector<mesh::BasicOperation>& operations);
 

@@ -1,11 +1,10 @@
-#include "figures/pictures/vertex_pictures.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 
+#include "figures/pictures/paper_pictures.hpp"
 #include "figures/pictures/sheet.hpp"
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/topology/separatrix.hpp"
@@ -35,23 +34,32 @@ std::vector<FaceId> faces_at(const QuadMesh& m, std::initializer_list<VertexId> 
   return result;
 }
 
-// "flip, left hand".
-std::string step_text(const mesh::TransportStep& step) {
-  return std::string(mesh::name(step.kind)) + (step.hand == mesh::Hand::left ? ", left hand" : ", right hand");
+// "collapse on the left", as seen along the operation or, where it lies downwards on the page, from below.
+std::string step_text(const mesh::TransportStep& step, bool upwards) {
+  return std::string(mesh::name(step.kind)) + " on the " +
+         ((step.hand == mesh::Hand::left) == upwards ? "left" : "right");
 }
 
-// The result of an atomic operation on a region: the panel after it, and the face that it removes, if any.
+// An atomic operation on a region: the panels before and after it. The quad, edge or edges that it takes are marked
+// before, what becomes of them after.
 struct AtomicResult {
-  Panel after;
-  FaceId removed;
+  Panel before, after;
 };
-AtomicResult perform_atomic(const Region& start, const mesh::AtomicOperation& operation) {
+AtomicResult perform_atomic(const Region& start, const mesh::AtomicOperation& atomic) {
   QuadMesh m = start.mesh;
   Editor editor(m);
-  require_performed(mesh::perform(editor, operation).refusal);
-  AtomicResult result{{with_mesh(start, m), {step_text(operation.name.step)}}, editor.edits().back().removed_face()};
-  const FaceId made = editor.edits().back().made_face();
-  if (made.valid()) result.after.made = {made};
+  require_performed(mesh::perform(editor, atomic).refusal);
+  AtomicResult result{{start}, {with_mesh(start, m)}};
+  const mesh::Edit& edit = editor.edits().back();
+  const mesh::BasicOperation& operation = edit.operation;
+  switch (operation.kind) {
+    case mesh::BasicOperation::Kind::collapse: result.before.deleted = {edit.removed_face()}; break;
+    case mesh::BasicOperation::Kind::split:
+      result.before.lines = {{{operation.last, operation.h}}};
+      result.after.made = {edit.made_face()};
+      break;
+    default: result.before.lines = {{{operation.h}}}; result.after.lines = {{{turned_edge(operation)}}};
+  }
   return result;
 }
 
@@ -75,27 +83,26 @@ HalfEdgeId upwards(const Region& region, VertexId v, double angle) {
   return up;
 }
 
-// A row of Figure 4: the vertex of this valence before its moves upwards, and after each of them.
-void add_vertex_moves(Sheet& sheet, const Region& start, int valence, AtomicKind kind, double y, double unit,
-                      const char* words) {
-  constexpr double kX = 168;
+// Two rows of Figure 4: each move upwards of the vertex of this valence, before and after.
+void add_vertex_moves(Sheet& sheet, const Region& start, int valence, AtomicKind kind, int row, double unit) {
   constexpr double kHalfTurn = std::numbers::pi;  // the flat side is above, so a separatrix runs straight up
   const VertexId v = irregular_vertex(start.mesh, valence);
   const HalfEdgeId up = upwards(start, v, kHalfTurn);
-  Panel before{start, {words}};
-  before.lines = {{{up}, {ink::kRed, 1.8}, true}};
-  std::vector<Panel> after;
+  int column = 0;
   for (const mesh::AtomicOperation& operation : operations_at(start, v)) {
     if (operation.name.kind != kind || operation.along != up) continue;
     AtomicResult result = perform_atomic(start, operation);
-    if (result.removed.valid() && operation.name.step.hand == mesh::Hand::left) before.deleted = {result.removed};
-    after.push_back(std::move(result.after));
+    result.before.direction = up;
+    result.before.aside = operation.name.step.hand == mesh::Hand::left ? -7 : 7;  // clear of what is marked
+    result.after.words = {step_text(operation.name.step, true)};
+    for (Panel* panel : {&result.before, &result.after}) {
+      panel->unit = unit;
+      panel->angle = kHalfTurn;
+    }
+    const auto before = sheet.add(result.before, row, column);
+    sheet.arrow(before, sheet.add(result.after, row + 1, column));
+    ++column;
   }
-  sheet.panels.push_back({before, {0, y}, unit, kHalfTurn});
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    sheet.panels.push_back({after[i], {(static_cast<double>(i) + 1.25) * kX, y}, unit, kHalfTurn});
-  }
-  sheet.arrow({0.54 * kX, y}, {0.7 * kX, y});
 }
 
 // True for the operation that parts a v2 into two v3s, or a v6 into two v5s.
@@ -104,7 +111,7 @@ bool parts_evenly(const AtomicName& name, int valence) {
 }
 
 // A half of Figure 5: a vertex before and after it parts.
-void add_parting(Sheet& sheet, const Region& start, int valence, double x, double unit, const char* before_words,
+void add_parting(Sheet& sheet, const Region& start, int valence, int column, double unit, const char* before_words,
                  const char* after_words) {
   const auto operations = operations_at(start, irregular_vertex(start.mesh, valence));
   const auto operation = std::find_if(operations.begin(), operations.end(), [valence](const auto& candidate) {
@@ -112,17 +119,11 @@ void add_parting(Sheet& sheet, const Region& start, int valence, double x, doubl
   });
   if (operation == operations.end()) throw std::logic_error("no such change of type");
   AtomicResult result = perform_atomic(start, *operation);
-  Panel before{start, {before_words}};
+  result.before.words = {before_words};
   result.after.words = {after_words};
-  if (result.removed.valid()) before.deleted = {result.removed};
-  if (!result.after.made.empty()) {
-    HalfEdgeId far = operation->along;
-    for (int i = 0; i < operation->name.turn; ++i) far = start.mesh.ccw(far);
-    before.lines = {{{start.mesh.twin(operation->along), far}, kGreenLine}};
-  }
-  sheet.panels.push_back({before, {x, 0}, unit});
-  sheet.panels.push_back({result.after, {x + 200, 0}, unit});
-  sheet.arrow({x + 86, 0}, {x + 114, 0});
+  result.before.unit = result.after.unit = unit;
+  const auto before = sheet.add(result.before, 0, column);
+  sheet.arrow(before, sheet.add(result.after, 0, column + 1));
 }
 
 }  // namespace
@@ -134,44 +135,45 @@ Paint paint_adjacent_pair_moves() {
   const MeshPicture probe(start, Point::Zero(), 1);
   const Point down = probe.at(five) - probe.at(three);
   const double angle = -std::numbers::pi / 2 - std::atan2(down.y(), down.x());
-  Sheet sheet;
-  constexpr double kUnit = 20, kX = 190, kY = 188;
+  Sheet sheet(60, 36);
   Panel panel{start, {"an adjacent 3-5 pair"}};
+  panel.angle = angle;
   panel.grey = faces_at(start.mesh, {three, five});
-  sheet.panels.push_back({panel, {0, 0}, kUnit, angle});
+  std::vector<std::size_t> results;
   for (const mesh::AtomicOperation& operation : operations_at(start, three)) {
     const mesh::TransportStep& step = operation.name.step;
     if (operation.name.kind != AtomicKind::move_35) continue;
-    Panel after = perform_atomic(start, operation).after;
+    const AtomicResult result = perform_atomic(start, operation);
+    panel.deleted.insert(panel.deleted.end(), result.before.deleted.begin(), result.before.deleted.end());
+    Panel after = result.after;
     const QuadMesh& m = after.region.mesh;
+    after.words = {step_text(step, false)};
+    after.angle = angle;
     after.grey = faces_at(m, {irregular_vertex(m, 3), irregular_vertex(m, 5)});
-    const double column = step.hand == mesh::Hand::left ? 1 : -1;  // seen from the v3 down to the v5
-    const double row = step.kind == mesh::TransportStep::Kind::collapse ? 1
-                       : step.kind == mesh::TransportStep::Kind::flip   ? 0
-                                                                        : -1;
-    const Point centre(column * kX, row * kY);
-    sheet.panels.push_back({after, centre, kUnit, angle});
-    const Point halfway(0.5 * centre.x(), 0.5 * centre.y());
-    const Point unit = halfway.normalized() * 12;
-    sheet.arrow(halfway - unit, halfway + unit);
+    const int column = step.hand == mesh::Hand::left ? 2 : 0;  // the left of one who looks down is on the right
+    const int row = step.kind == mesh::TransportStep::Kind::collapse ? 0
+                    : step.kind == mesh::TransportStep::Kind::flip   ? 1
+                                                                     : 2;
+    results.push_back(sheet.add(after, row, column));
   }
-  return paint(sheet);
+  const auto middle = sheet.add(panel, 1, 1);
+  for (const std::size_t result : results) sheet.arrow(middle, result);
+  return sheet.paint();
 }
 
 Paint paint_vertex_moves() {
-  Sheet sheet;
-  add_vertex_moves(sheet, region_with({4, 3}, 0, 0, {3, 3, 3}), 3, AtomicKind::move_v3, 0, 23, "a v3, to be moved up");
-  add_vertex_moves(sheet, region_with({5, 4}, 0, 0, {3, 3, 3, 3, 3}), 5, AtomicKind::move_v5, -175, 15.5,
-                   "a v5, to be moved up");
-  return paint(sheet);
+  Sheet sheet(26, 38);
+  add_vertex_moves(sheet, region_with({4, 3}, 0, 0, {3, 3, 3}), 3, AtomicKind::move_v3, 0, 27);
+  add_vertex_moves(sheet, region_with({5, 4}, 0, 0, {3, 3, 3, 3, 3}), 5, AtomicKind::move_v5, 2, 18);
+  return sheet.paint();
 }
 
 Paint paint_type_changes() {
   Sheet sheet;
-  add_parting(sheet, region_with(theory::kDigon, 0, 0, {2, 2}), 2, 0, 40, "a v2", "two v3s, by one collapse");
-  add_parting(sheet, region_with(theory::kHexagon, 0, 0, {2, 2, 2, 2, 2, 2}), 6, 420, 19, "a v6",
+  add_parting(sheet, region_with(theory::kDigon, 0, 0, {2, 2}), 2, 0, 36, "a v2", "two v3s, by one collapse");
+  add_parting(sheet, region_with(theory::kHexagon, 0, 0, {2, 2, 2, 2, 2, 2}), 6, 2, 17, "a v6",
               "two v5s, by one split");
-  return paint(sheet);
+  return sheet.paint();
 }
 
 }  // namespace requad::figures

@@ -8,6 +8,7 @@
 #include "mesh/commands/arguments.hpp"
 #include "mesh/commands/commands.hpp"
 #include "mesh/geometry/diagnosis.hpp"
+#include "mesh/pictures/page.hpp"
 #include "mesh/pictures/space_picture.hpp"
 
 namespace requad::edit {

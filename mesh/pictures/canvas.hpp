@@ -1,7 +1,11 @@
-// A page to draw on: SVG, PDF and PNG from one description, by Cairo.
+// A canvas to draw on, for files of several formats (page.hpp).
 //
-// Coordinates are in points (1/72 inch), x to the right and y upwards. They are rounded to 1/4 point, or as round_to()
-// says, which keeps files small. The page is cropped to the drawing. The same drawing gives the same bytes.
+// Terms
+//   unit    of the drawing (drawing.hpp). On a page, a unit is `scale` points.
+//   label   words that name something in the drawing; none are drawn if the style has no labels
+//   caption words below a panel, and legends; none are drawn if the style has no captions
+// Meshes and distances grow with the scale; letters do not, since their size on the page is fixed. A painter that leaves
+// room for words therefore asks the canvas how large they are.
 #pragma once
 
 #include <functional>
@@ -10,69 +14,60 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
-// Cairo's cairo_t. Users of this header need no header of Cairo.
-struct _cairo;  // NOLINT(bugprone-reserved-identifier): the name that Cairo gives it
+#include "mesh/pictures/drawing.hpp"
 
 namespace requad::pictures {
 
-using Point = Eigen::Vector2d;
-using Polyline = std::vector<Point>;
-
-struct Colour {
-  double red = 0, green = 0, blue = 0;  // 0..1
-};
-// The colour 0xRRGGBB.
-constexpr Colour rgb(unsigned value) {
-  return {(value >> 16 & 255U) / 255.0, (value >> 8 & 255U) / 255.0, (value & 255U) / 255.0};
-}
-std::string to_hex(Colour colour);  // "#rrggbb"
-
-struct Stroke {
-  Colour colour;
-  double width = 0.5;               // in points
-  std::vector<double> dashes = {};  // lengths in points: on, off, ...; a solid line if empty
-};
-
-enum class Anchor { left, centre, right };
-
 class Canvas {
  public:
-  // The context must outlive the canvas.
-  explicit Canvas(_cairo* context) : context_(context) {}
+  explicit Canvas(const Style& style, double scale = 1);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
 
-  // Rounds coordinates from now on to multiples of `points`, a power of 2.
-  void round_to(double points) { grid_ = points; }
+  const Style& style() const { return style_; }
+  const Palette& palette() const { return style_.palette; }
+  // The size of letters, in units.
+  double em() const { return style_.text / scale_; }
+  // The room between two lines of words, in units.
+  double line_height() const { return 1.25 * em(); }
+  // How wide words are, in units.
+  double width_of(const std::string& words) const;
+  // The words in lines that are no wider than this many units, unless a single word is. No line without captions.
+  std::vector<std::string> caption_lines(const std::vector<std::string>& words, double width) const;
 
+  // Widths and dashes of strokes are in points as drawn at scale 1 with edges of half a point; Style::line says what
+  // they become.
   void fill(const std::vector<Polyline>& polygons, Colour colour);
   void stroke(const std::vector<Polyline>& lines, const Stroke& stroke, bool closed = false);
   void polygon(const Polyline& polygon, std::optional<Colour> fill, const std::optional<Stroke>& stroke);
   void circle(Point centre, double radius, std::optional<Colour> fill, const std::optional<Stroke>& stroke);
   // Draws a part of a circle, counter-clockwise from one angle to another, in radians.
   void arc(Point centre, double radius, double from, double to, const Stroke& stroke);
-  // Draws a line with a head, `head` points long, at its end.
+  // Draws a line with a head, `head` units long, at its end.
   void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 6);
-  // Draws UTF-8 text. "_" lowers the next character, or the characters in the braces that follow: "E_1", "e_{12}". `at`
-  // is the left end, the middle or the right end of the baseline. A capital is about 0.7 `size` high.
-  void text(Point at, const std::string& words, double size, Colour colour = {}, Anchor anchor = Anchor::centre);
+  // See Words. A label has a halo in the colour of the paper.
+  void label(Point at, const std::string& words, Colour colour, Anchor anchor = Anchor::centre);
+  void caption(Point at, const std::string& words, Anchor anchor = Anchor::centre);
+  // Draws lines of words below each other, centred. `at` is the middle of the first baseline.
+  void caption(Point at, const std::vector<std::string>& lines);
+
+  // Rounds coordinates on the page to multiples of this many points, a power of 2.
+  void round_to(double points) { drawing_.grid = points; }
+  const Drawing& drawing() const { return drawing_; }
 
  private:
-  double snapped(double x) const;
-  void trace(const Polyline& line, bool closed);
-  void apply(Colour colour);
-  void apply(const Stroke& stroke);
-  // Fills the current path, if there is a colour, strokes it, if there is a stroke, and clears it.
-  void paint(std::optional<Colour> fill, const std::optional<Stroke>& stroke);
+  struct Letters;
+  Stroke fitted(const Stroke& stroke) const;
+  std::optional<Stroke> fitted(const std::optional<Stroke>& stroke) const;
+  void words(Point at, const std::string& words, Colour colour, Anchor anchor, bool halo);
 
-  _cairo* context_;
-  double grid_ = 0.25;
+  Style style_;
+  double scale_;
+  std::unique_ptr<Letters> letters_;
+  Drawing drawing_;
 };
 
 using Paint = std::function<void(Canvas&)>;
-
-// The drawing on white as "svg", "pdf" or "png" (144 dots per inch). Calls `paint` twice: to measure and to draw.
-// Throws std::invalid_argument for another format and std::runtime_error if Cairo fails.
-std::string render(const Paint& paint, const std::string& format);
 
 }  // namespace requad::pictures

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mesh/geometry/drawing.hpp"
@@ -14,36 +15,45 @@ using mesh::HalfEdgeId;
 using mesh::QuadMesh;
 using mesh::VertexId;
 
-Colour valence_colour(int valence) {
-  switch (valence) {
-    case 2: return ink::kPurple;
-    case 3: return ink::kBlue;
-    case 5: return ink::kOrange;
-    default: return ink::kRed;
+namespace {
+
+// The corners of a star, the first on top. An inner radius of 0 makes a polygon.
+Polyline star(Point at, int points, double radius, double inner) {
+  Polyline corners;
+  const int count = inner > 0 ? 2 * points : points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = std::numbers::pi * (0.5 + 2.0 * i / count);
+    corners.emplace_back(at + (inner > 0 && i % 2 == 1 ? inner : radius) * Point(std::cos(angle), std::sin(angle)));
   }
+  return corners;
 }
 
+double distance(const Point& p, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double t = along.squaredNorm() > 0 ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0.0;
+  return (p - a - t * along).norm();
+}
+
+}  // namespace
+
 void mark_vertex(Canvas& canvas, Point at, int valence, double radius) {
+  mark_vertex(canvas, at, valence, radius, canvas.palette().valence(valence), canvas.palette().ink);
+}
+
+void mark_vertex(Canvas& canvas, Point at, int valence, double radius, Colour fill, Colour outline) {
   Polyline shape;
-  const int corners = std::max(valence, 3);
   if (valence == 2) {
     shape = {at + Point(radius, 0), at + Point(0, 0.62 * radius), at - Point(radius, 0), at - Point(0, 0.62 * radius)};
+  } else if (valence < 7) {
+    shape = star(at, std::max(valence, 3), radius, 0);
   } else {
-    for (int i = 0; i < corners; ++i) {
-      const double angle = std::numbers::pi * (0.5 + 2.0 * i / corners);
-      shape.emplace_back(at + radius * Point(std::cos(angle), std::sin(angle)));
-    }
+    shape = star(at, valence, 1.5 * radius, 0.85 * radius);
   }
-  canvas.polygon(shape, valence_colour(valence), Stroke{ink::kBlack, 0.1 * radius});
+  canvas.polygon(shape, fill, Stroke{outline, 0.1 * radius});
 }
 
 void mark_star(Canvas& canvas, Point at, double radius, Colour colour) {
-  Polyline star;
-  for (int i = 0; i < 10; ++i) {
-    const double angle = std::numbers::pi * (0.5 + i / 5.0);
-    star.emplace_back(at + (i % 2 == 0 ? radius : 0.42 * radius) * Point(std::cos(angle), std::sin(angle)));
-  }
-  canvas.polygon(star, colour, Stroke{ink::kBlack, 0.1 * radius});
+  canvas.polygon(star(at, 5, radius, 0.42 * radius), colour, Stroke{canvas.palette().ink, 0.1 * radius});
 }
 
 MeshPicture::MeshPicture(mesh::Region region, Point centre, double unit, double angle)
@@ -58,6 +68,14 @@ MeshPicture::MeshPicture(mesh::Region region, Point centre, double unit, double 
     high_ = first ? p : Point(high_.cwiseMax(p));
     first = false;
   }
+}
+
+MeshPicture MeshPicture::moved(const Point& by) const {
+  MeshPicture result = *this;
+  for (const VertexId v : mesh().vertices()) result.at_[v.slot()] += by;
+  result.low_ += by;
+  result.high_ += by;
+  return result;
 }
 
 Point MeshPicture::middle(FaceId f) const {
@@ -76,31 +94,52 @@ void MeshPicture::faces(Canvas& canvas, std::span<const FaceId> faces, Colour co
   canvas.fill(quads, colour);
 }
 
-void MeshPicture::crosses(Canvas& canvas, std::span<const FaceId> faces, Colour colour, bool upright) const {
+// The point of a quad that is furthest from its sides and from the marks of its corners, of 81 points, and how far that
+// is.
+std::pair<Point, double> MeshPicture::roomiest(FaceId f) const {
+  constexpr int kSteps = 10;
+  const auto c = mesh().corners(f);
+  std::pair<Point, double> best{middle(f), 0};
+  for (int i = 1; i < kSteps; ++i) {
+    for (int j = 1; j < kSteps; ++j) {
+      const double u = static_cast<double>(i) / kSteps, v = static_cast<double>(j) / kSteps;
+      const Point p = (1 - v) * ((1 - u) * at(c[0]) + u * at(c[1])) + v * ((1 - u) * at(c[3]) + u * at(c[2]));
+      double room = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < 4; ++k) {
+        room = std::min(room, distance(p, at(c[k]), at(c[(k + 1) % 4])));
+        if (is_irregular(mesh(), c[k])) room = std::min(room, (p - at(c[k])).norm() - mark_radius(c[k]));
+      }
+      if (room > best.second + 1e-6) best = {p, room};
+    }
+  }
+  return best;
+}
+
+void MeshPicture::signs(Canvas& canvas, std::span<const FaceId> faces, Colour colour, double turned) const {
+  constexpr double kLongest = 5, kGap = 1;
   std::vector<Polyline> lines;
   for (const FaceId f : faces) {
-    const auto c = mesh().corners(f);
-    const Point centre = middle(f);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Point end = upright ? Point((at(c[k]) + at(c[k + 1])) / 2) : at(c[k]);
-      const Point other = upright ? Point((at(c[k + 2]) + at(c[(k + 3) % 4])) / 2) : at(c[k + 2]);
-      lines.push_back({centre + 0.5 * (end - centre), centre + 0.5 * (other - centre)});
+    const auto [centre, room] = roomiest(f);
+    const double arm = std::min(kLongest, std::max(room - kGap, 0.7 * room));
+    for (const double angle : {turned, turned + std::numbers::pi / 2}) {
+      const Point end = arm * Point(std::cos(angle), std::sin(angle));
+      lines.push_back({centre - end, centre + end});
     }
   }
   canvas.stroke(lines, {colour, 0.9});
 }
 
 void MeshPicture::made(Canvas& canvas, std::span<const FaceId> f) const {
-  faces(canvas, f, ink::kYellow);
-  crosses(canvas, f, rgb(0x6b6200), true);
+  faces(canvas, f, canvas.palette().made);
+  signs(canvas, f, canvas.palette().made_sign, 0);
 }
 
 void MeshPicture::deleted(Canvas& canvas, std::span<const FaceId> f) const {
-  faces(canvas, f, ink::kPaleRed);
-  crosses(canvas, f, rgb(0x7a2000), false);
+  faces(canvas, f, canvas.palette().deleted);
+  signs(canvas, f, canvas.palette().deleted_sign, std::numbers::pi / 4);
 }
 
-void MeshPicture::edges(Canvas& canvas, double width, Colour colour) const {
+void MeshPicture::edges(Canvas& canvas, Colour colour, double width) const {
   std::vector<bool> drawn(static_cast<std::size_t>(mesh().half_edge_capacity()), false);
   std::vector<Polyline> lines;
   for (const HalfEdgeId h : mesh().half_edges()) {
@@ -133,15 +172,32 @@ void MeshPicture::background(Canvas& canvas, Colour colour) const { canvas.fill(
 
 void MeshPicture::boundary(Canvas& canvas, const Stroke& stroke) const { canvas.stroke({outline()}, stroke, true); }
 
-void MeshPicture::path(Canvas& canvas, std::span<const HalfEdgeId> half_edges, const Stroke& stroke) const {
-  if (half_edges.empty()) return;
+Polyline MeshPicture::line(std::span<const HalfEdgeId> half_edges) const {
+  if (half_edges.empty()) return {};
   Polyline line{at(mesh().origin(half_edges.front()))};
   for (const HalfEdgeId h : half_edges) line.push_back(at(mesh().target(h)));
-  canvas.stroke({line}, stroke);
+  return line;
 }
 
-void MeshPicture::irregular(Canvas& canvas, double radius) const {
-  for (const VertexId v : mesh::irregular_vertices(mesh())) mark_vertex(canvas, at(v), mesh().valence(v), radius);
+void MeshPicture::path(Canvas& canvas, std::span<const HalfEdgeId> half_edges, const Stroke& stroke) const {
+  if (!half_edges.empty()) canvas.stroke({line(half_edges)}, stroke);
+}
+
+double MeshPicture::mark_radius(VertexId v) const {
+  double radius = kMarkRadius;
+  mesh().for_each_out(v,
+                      [&](HalfEdgeId h) { radius = std::min(radius, 0.42 * (at(mesh().target(h)) - at(v)).norm()); });
+  return radius;
+}
+
+void MeshPicture::irregular(Canvas& canvas) const {
+  for (const VertexId v : mesh::irregular_vertices(mesh()))
+    mark_vertex(canvas, at(v), mesh().valence(v), mark_radius(v));
+}
+
+void MeshPicture::faint_irregular(Canvas& canvas) const {
+  for (const VertexId v : mesh::irregular_vertices(mesh()))
+    mark_vertex(canvas, at(v), mesh().valence(v), mark_radius(v), canvas.palette().paper, canvas.palette().faint_ink);
 }
 
 }  // namespace requad::pictures

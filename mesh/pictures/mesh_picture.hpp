@@ -1,11 +1,10 @@
 // A region on a page, with the marks of the paper's figures.
 //
-// Legend of all figures. A shape says what a colour says, for print without colours and for readers who do not see
-// them. The colours are Okabe and Ito's palette and tints of it.
-//   irregular vertex   a polygon with as many corners as its valence: v3 blue, v5 orange, v6 and more red,
-//                      v2 (a rhombus) purple
+// Legend of all figures. A shape says what a colour says (style.hpp).
+//   irregular vertex   a polygon with as many corners as its valence: v3 blue, v5 orange, v6 red, v2 (a rhombus) purple;
+//                      from v7 on a star with as many points
 //   R_alpha            blue quads; its ring, the smallest convex region with the pair, grey
-//   face               made: yellow with a plus; deleted: red with a cross
+//   face               made: yellow with a plus; deleted: red with a cross; both signs stand upright on the page
 #pragma once
 
 #include <span>
@@ -15,26 +14,11 @@
 
 namespace requad::pictures {
 
-namespace ink {
-inline constexpr Colour kBlack = rgb(0x000000);
-inline constexpr Colour kLine = rgb(0x404040);  // edges of meshes
-inline constexpr Colour kFaint = rgb(0x9a9a9a);
-inline constexpr Colour kBlue = rgb(0x0072b2);
-inline constexpr Colour kOrange = rgb(0xe69f00);
-inline constexpr Colour kRed = rgb(0xd55e00);
-inline constexpr Colour kPurple = rgb(0xcc79a7);
-inline constexpr Colour kGreen = rgb(0x009e73);
-inline constexpr Colour kPaleBlue = rgb(0x8fc3e3);  // R_alpha
-inline constexpr Colour kGrey = rgb(0xdedede);      // its ring
-inline constexpr Colour kYellow = rgb(0xf6ec7a);    // made
-inline constexpr Colour kPaleRed = rgb(0xf0a080);   // deleted
-inline constexpr Colour kIce = rgb(0xdcecf6);       // strips that stay
-}  // namespace ink
+inline constexpr double kMarkRadius = 4.6;  // of an irregular vertex, where its edges are long enough
 
-// The colour of irregular vertices of a valence.
-Colour valence_colour(int valence);
-// Draws the polygon of an irregular vertex. The radius, here and below, is in points.
+// Draws the mark of an irregular vertex, filled with the colour of its valence unless another is given.
 void mark_vertex(Canvas& canvas, Point at, int valence, double radius);
+void mark_vertex(Canvas& canvas, Point at, int valence, double radius, Colour fill, Colour outline);
 void mark_star(Canvas& canvas, Point at, double radius, Colour colour);
 
 class MeshPicture {
@@ -42,6 +26,10 @@ class MeshPicture {
   // The region as mesh::draw() draws it, with edges about `unit` points long and the centre of its outline at `centre`,
   // turned counter-clockwise by an angle in radians.
   MeshPicture(mesh::Region region, Point centre, double unit, double angle = 0);
+
+  // The same picture elsewhere: moved by a vector, or with the middle of its bounding box at the origin. O(V).
+  MeshPicture moved(const Point& by) const;
+  MeshPicture centred() const { return moved(-(low_ + high_) / 2); }
 
   const mesh::Region& region() const { return region_; }
   const mesh::QuadMesh& mesh() const { return region_.mesh; }
@@ -55,17 +43,24 @@ class MeshPicture {
   void made(Canvas& canvas, std::span<const mesh::FaceId> faces) const;
   void deleted(Canvas& canvas, std::span<const mesh::FaceId> faces) const;
   // Draws all edges, with the boundary twice as thick. Each straight path of edges becomes one line of the picture.
-  void edges(Canvas& canvas, double width = 0.5, Colour colour = ink::kLine) const;
+  void edges(Canvas& canvas, Colour colour, double width = 0.5) const;
+  void edges(Canvas& canvas) const { edges(canvas, canvas.palette().line); }
   void boundary(Canvas& canvas, const Stroke& stroke) const;
   // Draws a path of half-edges, each of which starts where the one before it ends.
   void path(Canvas& canvas, std::span<const mesh::HalfEdgeId> half_edges, const Stroke& stroke) const;
-  // Marks all irregular vertices.
-  void irregular(Canvas& canvas, double radius) const;
+  // Marks all irregular vertices, or draws faint outlines of their marks.
+  void irregular(Canvas& canvas) const;
+  void faint_irregular(Canvas& canvas) const;
+  // The radius of a vertex's mark: kMarkRadius, or less where its edges are short.
+  double mark_radius(mesh::VertexId v) const;
+  // The line of straight segments along half-edges.
+  Polyline line(std::span<const mesh::HalfEdgeId> half_edges) const;
+  Polyline outline() const;
 
  private:
-  Polyline outline() const;
-  // Draws a plus (upright) or a cross in each face.
-  void crosses(Canvas& canvas, std::span<const mesh::FaceId> faces, Colour colour, bool upright) const;
+  std::pair<Point, double> roomiest(mesh::FaceId f) const;
+  // Draws a plus or, turned by an eighth, a cross in each face. It keeps away from sides and marks.
+  void signs(Canvas& canvas, std::span<const mesh::FaceId> faces, Colour colour, double turned) const;
 
   mesh::Region region_;
   std::vector<Point> at_;

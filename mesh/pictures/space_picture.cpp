@@ -24,8 +24,7 @@ constexpr Colour kQuad = rgb(0xf1ede2);
 constexpr Colour kDarkQuad = rgb(0x8fb0c6);
 constexpr Colour kBack = rgb(0xb59f86);
 constexpr Colour kInverted = rgb(0xf08fb4);
-constexpr double kGap = 24;    // points between meshes
-constexpr double kWords = 10;  // height of text
+constexpr double kGap = 24;  // points between meshes
 constexpr double kFine = 1.0 / 64;
 
 // How much light falls on a face with this normal, as seen by the viewer.
@@ -165,7 +164,7 @@ SpacePicture::SpacePicture(const SpaceSubject& subject, const View& view, const 
 
 void SpacePicture::paint(Canvas& canvas) const {
   canvas.round_to(kFine);
-  const Stroke thin{ink::kLine, std::clamp(0.05 * edge_, 0.06, 0.5)};
+  const Stroke thin{canvas.palette().line, std::clamp(0.05 * edge_, 0.06, 0.5)};
   const double bold = std::clamp(5 * thin.width, 0.6, 1.6);
   for (const Piece& piece : surface_.pieces()) {
     const Quad& quad = quads_[static_cast<std::size_t>(piece.facet)];
@@ -184,18 +183,15 @@ void SpacePicture::paint(Canvas& canvas) const {
       const Line line = quad.sides[static_cast<std::size_t>(side)];
       if (whole && line == Line::plain) continue;
       const Stroke stroke = line == Line::plain     ? thin
-                            : line == Line::feature ? Stroke{ink::kBlack, bold}
-                                                    : Stroke{ink::kGreen, bold};
+                            : line == Line::feature ? Stroke{canvas.palette().ink, bold}
+                                                    : Stroke{canvas.palette().path, bold};
       canvas.stroke({{outline[k], outline[(k + 1) % outline.size()]}}, stroke);
     }
   }
   const double radius = std::clamp(0.35 * edge_, 2.4, 4.6);
   for (const Mark& mark : marks_) mark_vertex(canvas, mark.at, mark.valence, radius);
-  Point below((low_.x() + high_.x()) / 2, low_.y() - 2 * kWords);
-  for (const std::string& line : words_) {
-    canvas.text(below, line, kWords);
-    below.y() -= 1.25 * kWords;
-  }
+  canvas.caption({(low_.x() + high_.x()) / 2, low_.y() - 2 * canvas.em()},
+                 canvas.caption_lines(words_, high_.x() - low_.x() + kGap / 2));
 }
 
 Paint side_by_side(const std::vector<SpaceSubject>& subjects, const View& view, bool checkerboard, double size) {

@@ -8,6 +8,7 @@
 #include <cairo.h>
 
 #include "figures/pictures/catalogue.hpp"
+#include "mesh/pictures/page.hpp"
 #include "mesh/pictures/space_picture.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"

@@ -236,7 +236,7 @@ TEST_CASE("requad-edit draw writes SVG, PDF and PNG", "[pictures][space][program
   CHECK(svg.substr(0, 5) == "<?xml");
   CHECK(drawn("cube.obj", "again.svg") == svg);
   CHECK(call("edit", "draw cube.obj -o -").out == svg);
-  // Seven of the eight v3s are seen; their blue is ink::kBlue.
+  // Seven of the eight v3s are seen; their blue is that of Palette.
   const std::string blue = "fill:rgb(0%,44.705882%,69.803922%)";
   CHECK(occurrences(svg, blue) == 7);
   CHECK(occurrences(drawn("cube.obj --view 0,0", "front.svg"), blue) >= 4);

@@ -1,5 +1,5 @@
 // A user of requad::pictures: a circle as SVG.
-#include <requad/mesh/pictures/canvas.hpp>
+#include <requad/mesh/pictures/page.hpp>
 
 int main() {
   using namespace requad::pictures;

@@ -17,6 +17,7 @@
 #include "mesh/files/surface.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/irregular/pair_moves.hpp"
+#include "mesh/pictures/page.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 #include "tests/support/catch.hpp"

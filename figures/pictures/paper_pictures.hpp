@@ -1,0 +1,33 @@
+// Figures of the paper that show operations and regions: meshes before and after operations, which the library performs
+// on the mesh that is drawn, and regions with their boundaries and separatrices.
+#pragma once
+
+#include "mesh/pictures/canvas.hpp"
+
+namespace requad::figures {
+
+using namespace pictures;
+
+// basic_operation_pictures.cpp
+Paint paint_basic_operations();  // Figure 2
+
+// vertex_pictures.cpp
+Paint paint_adjacent_pair_moves();  // Figure 3
+Paint paint_vertex_moves();         // Figure 4
+Paint paint_type_changes();         // Figure 5
+
+// pair_move_pictures.cpp
+Paint paint_pair_moves();        // Figure 6
+Paint paint_detour();            // Figure 7
+Paint paint_equal_pair_moves();  // Figure 8
+
+// region_pictures.cpp
+// Figure 13: the turns of an open path and of a loop, and the smallest regions.
+Paint paint_turns_and_smallest();
+// Figure 14: a region of each kind with separatrices, strips and side lengths.
+Paint paint_separatrices();
+// The (L-1)^2 configurations of a single v8 in the regular octagon of side L, which show that Theorem 7.1 is sharp.
+// Precondition: length >= 2.
+Paint paint_lone_v8(int length);
+
+}  // namespace requad::figures
