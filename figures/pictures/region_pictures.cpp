@@ -78,18 +78,18 @@ class Names {
     for (const VertexId v : {frame_.v1, frame_.v2}) places_.block_point(picture_.at(v), kMarkRadius);
     picture_.irregular(canvas_);
     sides();
-    for (std::size_t i = 0; i < separatrices.size(); ++i)
-      name_path(separatrices[i], "e_" + std::to_string(i + 1), canvas_.palette().path);
-    // The legs of v1: the first is d2 long, the second d1 (mesh/irregular/pair_frame.hpp).
-    name_path(leg(frame_.first_leg, frame_.d2), "d_2", canvas_.palette().ink);
-    name_path(leg(frame_.second_leg, frame_.d1), "d_1", canvas_.palette().ink);
-    constexpr std::array directions{0.4, 2.7, -0.4, -2.7, 1.2, 1.9, -1.2, -1.9};
+    constexpr std::array directions{0.4, 2.7, -0.4, -2.7, 1.2, 1.9, -1.2, -1.9, 0.0, 3.14, 0.8, 2.3, -0.8, -2.3};
     for (const auto& [v, words] : {std::pair{frame_.v1, "v_1"}, {frame_.v2, "v_2"}}) {
       const double r = kMarkRadius;
       const Point at = picture_.at(v);
       const Polyline mark{at + Point(-r, -r), at + Point(r, -r), at + Point(r, r), at + Point(-r, r)};
       places_.put(words, canvas_.palette().ink, places_.round(mark, words, directions));
     }
+    for (std::size_t i = 0; i < separatrices.size(); ++i)
+      name_path(separatrices[i], "e_" + std::to_string(i + 1), canvas_.palette().path);
+    // The legs of v1: the first is d2 long, the second d1 (mesh/irregular/pair_frame.hpp).
+    name_path(leg(frame_.first_leg, frame_.d2), "d_2", canvas_.palette().ink);
+    name_path(leg(frame_.second_leg, frame_.d1), "d_1", canvas_.palette().ink);
   }
 
  private:
