@@ -4,25 +4,36 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/geometries/polygon.hpp>
-
 namespace requad::figures {
 
 namespace {
 
-namespace geometry = boost::geometry;
-using FlatPoint = geometry::model::d2::point_xy<double>;
+using Rectangle = std::pair<Point, Point>;
 
-// A closed ring, in either direction, or a line.
-template <class Shape>
-Shape flat(const Polyline& points) {
-  Shape shape;
-  for (const Point& p : points) geometry::append(shape, FlatPoint(p.x(), p.y()));
-  geometry::correct(shape);
-  return shape;
+// Whether a segment, which may be a point, meets a rectangle.
+bool segment_meets(const Point& a, const Point& b, const Rectangle& box) {
+  double from = 0, to = 1;
+  for (int k = 0; k < 2; ++k) {
+    const double d = b[k] - a[k];
+    if (std::abs(d) < 1e-12) {
+      if (a[k] < box.first[k] || a[k] > box.second[k]) return false;
+      continue;
+    }
+    const double s = (box.first[k] - a[k]) / d, t = (box.second[k] - a[k]) / d;
+    from = std::max(from, std::min(s, t));
+    to = std::min(to, std::max(s, t));
+  }
+  return from <= to;
+}
+
+bool contains(const Polyline& polygon, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point &a = polygon[i], &b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  return inside;
 }
 
 }  // namespace
@@ -49,9 +60,11 @@ bool LabelPlaces::meet(const Obstacle& obstacle, const Box& box) {
   const auto [low, high] =
       std::pair(Point(box.first.array() - obstacle.clearance), Point(box.second.array() + obstacle.clearance));
   if ((low.array() > obstacle.high.array()).any() || (high.array() < obstacle.low.array()).any()) return false;
-  const auto rectangle = flat<geometry::model::ring<FlatPoint>>({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
-  if (obstacle.area) return geometry::intersects(flat<geometry::model::ring<FlatPoint>>(obstacle.shape), rectangle);
-  return geometry::intersects(flat<geometry::model::linestring<FlatPoint>>(obstacle.shape), rectangle);
+  const Polyline& shape = obstacle.shape;
+  for (std::size_t i = obstacle.area ? 0 : 1; i < shape.size(); ++i) {
+    if (segment_meets(shape[i == 0 ? shape.size() - 1 : i - 1], shape[i], {low, high})) return true;
+  }
+  return obstacle.area && contains(shape, (low + high) / 2);
 }
 
 void LabelPlaces::put(const std::string& words, Colour colour, std::span<const Place> places) {

@@ -24,7 +24,7 @@ class LabelPlaces {
 
   explicit LabelPlaces(Canvas& canvas) : canvas_(canvas) {}
 
-  // Blocks a line, or the inside of a convex polygon. `clearance`: how far a label stays away.
+  // Blocks a line, or the inside of a polygon. `clearance`: how far a label stays away.
   void block(const Polyline& line, double clearance = 0);
   void block_area(const Polyline& polygon, double clearance = 0);
   void block_point(const Point& at, double radius) { block({at, at}, radius); }
