@@ -133,9 +133,9 @@ int make(Session& session, const Site& site, const std::string& wanted) {
   if (choice.refusal != Refusal::none)
     return session.refused(ends(session, choice.operation.along) + ", " + wanted, choice.refusal);
   Description description = describe(session, choice);
-  const std::size_t mark = session.editor().mark();
+  const std::size_t mark = session.begin();
   mesh::perform(session.editor(), choice.operation);
-  session.smooth_since(mark);
+  session.fit_since(mark);
   return session.done(std::move(description.json), description.text);
 }
 

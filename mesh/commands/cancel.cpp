@@ -36,10 +36,12 @@ int cancel(const program::Options& options) {
   const std::string subject = session.describe(three, five);
   const std::vector<VertexId> helpers = helpers_of(session, three, five);
   mesh::PairTransport transport(session.editor());
-  const std::size_t mark = session.editor().mark();
-  const mesh::Cancellation result = mesh::cancel_pair(session.editor(), transport, three, five, helpers);
+  const std::size_t mark = session.begin();
+  const mesh::Cancellation result = mesh::cancel_pair(session.editor(), transport, three, five, helpers,
+                                                      [&](std::size_t made) { session.fit_transport(made); });
   if (result.refusal != Refusal::none) return session.refused(subject, result.refusal, result.obstacles);
-  session.smooth_since(mark);
+  session.fit_since(mark);
+  if (session.is_worse(subject)) return program::kCheckFailed;
   ordered_json moved = ordered_json::array();
   std::string where;
   for (const VertexId v : result.helpers) {
@@ -66,7 +68,8 @@ A and B.
       .examples = {"requad-edit cancel mesh/examples/figure-17.obj 153 163 -o less.obj",
                    "requad-edit cancel mesh/examples/figure-17.obj 153 163 --with 366 -o less.obj"},
       .options =
-          editing_options({program::list("with", "C",
+          editing_options({allow_inverted_option(),
+                           program::list("with", "C",
                                          "a third vertex that helps; may be repeated (default: the " +
                                              std::to_string(mesh::kUsualHelpers) + " nearest irregular vertices)")}),
       .words = {3, 3},

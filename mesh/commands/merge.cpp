@@ -13,7 +13,7 @@ program::Command merge_command() {
       .text = "The distance of A and B must be even.\n",
       .examples = {"requad-enumerate region digon 2 2 3,3 -o digon.obj && "
                    "requad-edit merge digon.obj 1 9 -o merged.obj"},
-      .options = editing_options(),
+      .options = editing_options({allow_inverted_option()}),
       .words = {3, 3},
       .files = {0},
       .run = [](const program::Options& options) { return edit_pair(options, "merge", mesh::merge_pair); },

@@ -18,7 +18,7 @@ int move(const program::Options& options) {
   if (!options.has("step")) throw UsageError("move: --step is missing; `requad-edit moves` lists the steps of a pair");
   const std::string wanted = options.text("step");
   const std::string subject = session.describe(a, b);
-  const std::size_t mark = session.editor().mark();
+  const std::size_t mark = session.begin();
   // A step can stand for several moves. The first legal one is made; if there is none, the last reason is reported.
   mesh::PossibleMove made;
   bool found = false;
@@ -31,7 +31,7 @@ int move(const program::Options& options) {
   if (refusal != Refusal::none) return session.refused(subject, refusal);
   if (!found) throw UsageError("move: '" + wanted + "' is no step of this pair; `requad-edit moves` lists them");
   if (made.refusal != Refusal::none) return session.refused(subject, made.refusal);
-  session.smooth_since(mark);
+  session.fit_since(mark);
   return session.done({{"move", made.name},
                        {"effect", made.effect},
                        {"operations", made.counts.operations},

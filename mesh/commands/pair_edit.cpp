@@ -26,10 +26,11 @@ int edit_pair(const program::Options& options, const std::string& command, PairO
   output_path(options, command);
   const auto [a, b] = pair_of(session);
   const std::string subject = session.describe(a, b);
-  const std::size_t mark = session.editor().mark();
+  const std::size_t mark = session.begin();
   const mesh::PairResult result = operation(session.editor(), a, b);
   if (result.refusal != Refusal::none) return session.refused(subject, result.refusal);
-  session.smooth_since(mark);
+  session.fit_since(mark);
+  if (session.is_worse(subject)) return program::kCheckFailed;
   const PairFrame& frame = result.frame;
   const bool is_merged = frame.v1 == frame.v2;
   ordered_json vertices = ordered_json::array({session.number(frame.v1)});

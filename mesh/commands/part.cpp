@@ -13,7 +13,7 @@ int part(const program::Options& options) {
   Session session(options, "part");
   output_path(options, "part");
   const auto& words = options.words();
-  const std::size_t mark = session.editor().mark();
+  const std::size_t mark = session.begin();
   int made = 1;
   if (words.size() == 2) {
     const mesh::VertexId v = session.vertex(words[1]);
@@ -23,7 +23,7 @@ int part(const program::Options& options) {
   } else {
     made = mesh::part_all(session.editor());
   }
-  session.smooth_since(mark);
+  session.fit_since(mark);
   return session.done({{"operations", made}}, "parted by " + counted(made, "operation", "operations") + "\n");
 }
 

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/geometry/diagnosis.hpp"
-#include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/program/progress.hpp"
 
 namespace requad::edit {
@@ -31,6 +29,9 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
     text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+  if (report.folded > 0)
+    text += "; " + counted(report.folded, "pair would", "pairs would") +
+            " leave more quads inverted (--allow-inverted cancels them nevertheless)";
   return text;
 }
 
@@ -38,14 +39,15 @@ int reduce(const Options& options) {
   output_path(options, "reduce");
   mesh::ReduceOptions how;
   how.until = static_cast<int>(options.integer("until", 0, 0, 1'000'000'000));
-  how.cost = options.choice("cost", {"shape", "curvature"}, "shape") == "shape" ? mesh::ReduceCost::shape
-                                                                                : mesh::ReduceCost::curvature;
+  how.cost = options.choice("cost", {"fit", "curvature"}, "fit") == "fit" ? mesh::ReduceCost::fit
+                                                                          : mesh::ReduceCost::curvature;
   const double deviation = options.number("max-deviation", -1, 0, 1);
-  how.smoothing_iterations = static_cast<int>(options.integer("smooth", how.smoothing_iterations, 0, 100'000));
-  how.final_iterations = static_cast<int>(options.integer("final-smooth", how.final_iterations, 0, 100'000));
+  how.sweeps = static_cast<int>(options.integer("smooth", how.sweeps, 0, 100'000));
+  how.final_rounds = static_cast<int>(options.integer("final-smooth", how.final_rounds, 0, 100'000));
+  how.fit_all = options.has("final-smooth");
+  how.allow_inverted = options.has("allow-inverted");
 
   Session session(options, "reduce");
-  how.surface = &session.surface();
   const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
   if (deviation >= 0) how.max_deviation = deviation * diagonal;
   const std::vector<mesh::VertexId> all = session.mesh().vertices();
@@ -60,9 +62,6 @@ int reduce(const Options& options) {
   const mesh::ReduceReport report = mesh::reduce(session.editor(), how);
   progress.finish();
 
-  const double hausdorff = mesh::hausdorff_distance({session.mesh(), session.positions()},
-                                                    {session.input().mesh, session.input().positions}) /
-                           diagonal;
   ordered_json left = ordered_json::object();
   std::string kinds;
   for (const auto& [l, n] : mesh::diagnose(session.mesh(), session.positions()).valences) {
@@ -72,23 +71,21 @@ int reduce(const Options& options) {
   }
   const std::string beside = session.features().empty() ? "" : " beside those that features ask for";
   const std::string why = ending(report, how.until);
-  char measured[64];
-  std::snprintf(measured, sizeof measured, "%.4f", hausdorff);
   return session.done({{"irregular", {{"before", report.before}, {"after", report.after}}},
                        {"left", left},
                        {"cancelled", report.cancelled},
                        {"couriers", report.transports},
                        {"operations", report.operations},
                        {"measured", report.measured},
+                       {"too_far", report.too_far},
+                       {"folded", report.folded},
                        {"minimal", report.minimal},
                        {"ended", why},
-                       {"feature_edges", session.features().size()},
-                       {"hausdorff", hausdorff}},
+                       {"feature_edges", session.features().size()}},
                       std::to_string(report.before) + " irregular vertices" + beside + " became " +
                           std::to_string(report.after) + " by " +
                           counted(report.cancelled, "cancellation", "cancellations") +
-                          "; inside the mesh there are now " + (kinds.empty() ? "none" : kinds) + "\n" + why +
-                          "\nHausdorff distance from the input, over the diagonal: " + measured + "\n");
+                          "; inside the mesh there are now " + (kinds.empty() ? "none" : kinds) + "\n" + why + "\n");
 }
 
 }  // namespace
@@ -99,7 +96,10 @@ program::Command reduce_command() {
       .usage = {"IN -o OUT"},
       .summary = "cancels pairs of a v3 and a v5, the cheapest first",
       .text = R"(The reduction ends when N irregular vertices are left, or none that can be
-cancelled.
+cancelled. The mesh is fitted to the surface of IN all the time: its vertices
+stay near the surface, and what sticks out of IN stays covered. No cancellation
+is made that leaves more quads inverted. If nothing can be cancelled, OUT is IN,
+bit by bit. The order: parts of IN where the mesh is coarse are left for last.
 )",
       .examples = {"requad-edit reduce mesh/examples/figure-16.obj -o less.obj",
                    "requad-edit reduce mesh/examples/figure-17.obj --feature-angle 40 --until 8 --max-deviation 0.01 "
@@ -107,12 +107,15 @@ cancelled.
       .options = editing_options({
           program::value("until", "N", "stop at N irregular vertices (default 0)"),
           program::value("max-deviation", "D",
-                         "keep the centre of each face within D times the diagonal of IN from its surface"),
-          program::value("cost", "shape|curvature",
-                         "what makes a cancellation cheap (default shape): a small change of\n"
-                         "  shape      the sum of (1 - scaled Jacobian) times area\n"
-                         "  curvature  the sum of |mean curvature|, as in the paper"),
-          program::value("final-smooth", "N", "smooth the whole mesh N times at the end"),
+                         "keep the Hausdorff distance of OUT and IN within D times the diagonal of IN"),
+          program::value("cost", "fit|curvature",
+                         "what makes a cancellation cheap (default fit): few\n"
+                         "  fit        points of IN whose quad goes, and few operations\n"
+                         "  curvature  changes of the sum of |mean curvature|, as in the paper"),
+          program::value("final-smooth", "N",
+                         "fit all that was edited in N rounds at the end (default 20); if N is given, fit\n"
+                         "the whole mesh, whatever was edited"),
+          allow_inverted_option(),
       }),
       .words = {1, 1},
       .files = {0},

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <utility>
 
+#include "mesh/commands/quality.hpp"
 #include "mesh/editing/carried_attributes.hpp"
 #include "mesh/editing/element_map.hpp"
 #include "mesh/editing/script.hpp"
@@ -24,14 +25,23 @@ std::vector<program::Option> editing_options(std::vector<program::Option> own) {
                            "write where each vertex and face is now, as JSON; see `requad-edit apply --help`",
                            {{"json", {"json"}}}),
            program::value("smooth", "N",
-                          "smooth N times around what changed, projected on the surface of IN (default 4)"),
+                          "fit what lies round the changes to the surface of IN, N times (default 4; reduce:\n3); 0 "
+                          "leaves vertices where the operations place them"),
        })
     all.push_back(std::move(option));
   for (program::Option& option : input_and_seam_options()) all.push_back(std::move(option));
   return all;
 }
 
+program::Option allow_inverted_option() {
+  return program::flag("allow-inverted", "edit even if more quads are inverted then");
+}
+
 namespace {
+
+int count_inverted(const mesh::QuadMesh& mesh, const mesh::Positions& positions) {
+  return mesh::diagnose(mesh, positions).inverted;
+}
 
 // The text of the map that --map asks for. Elements have their numbers in the files, counted from 1.
 std::string map_text(const mesh::Surface& input, const mesh::Editor& editor) {
@@ -80,11 +90,6 @@ Session::Session(const Options& options, std::string command, mesh::Surface inpu
   plan_ = mesh::plan_by_angles(mesh_, features_, positions_);
 }
 
-const mesh::SurfaceIndex& Session::surface() {
-  if (!surface_) surface_.emplace(input_.mesh, input_.positions);
-  return *surface_;
-}
-
 mesh::VertexId Session::vertex(const std::string& word) const {
   const std::int64_t number = program::parse_integer(word, "a vertex");
   const auto last = static_cast<std::int64_t>(input_.from_file.size());
@@ -105,9 +110,29 @@ std::string Session::describe(mesh::VertexId v) const {
 
 std::string Session::describe(mesh::VertexId a, mesh::VertexId b) const { return describe(a) + " and " + describe(b); }
 
-void Session::smooth_since(std::size_t mark) {
-  const auto iterations = static_cast<int>(options_.integer("smooth", mesh::kUsualSmoothing, 0, 100'000));
-  if (iterations > 0) mesh::smooth_since(editor_, distances_, mark, iterations, surface());
+std::size_t Session::begin() {
+  if (rounds() > 0) shape_.emplace(editor_);
+  return editor_.mark();
+}
+
+int Session::rounds() const {
+  return static_cast<int>(options_.integer("smooth", mesh::ShapeKeeper::kUsualRounds, 0, 100'000));
+}
+
+void Session::fit_transport(std::size_t mark) {
+  if (shape_) shape_->fit_transport(mark);
+}
+
+void Session::fit_since(std::size_t mark) {
+  if (shape_) shape_->fit_since(mark, rounds());
+}
+
+bool Session::is_worse(const std::string& subject) const {
+  const int before = count_inverted(input_.mesh, input_.positions), after = count_inverted(mesh_, positions_);
+  if (options_.has("allow-inverted") || after <= before) return false;
+  std::cerr << "requad-edit: " << command_ << ": " << program::one_line(subject) << ": " << counted(after, "quad")
+            << " would be inverted, " << before << " before; --allow-inverted does it nevertheless\n";
+  return true;
 }
 
 int Session::done(ordered_json summary, const std::string& text) {
@@ -118,18 +143,12 @@ int Session::done(ordered_json summary, const std::string& text) {
   if (options_.has("map")) outputs.add(options_.text("map"), map_text(input_, editor_));
   const mesh::Attributes attributes = mesh::carried_attributes(input_, editor_);
   outputs.add(output, mesh::obj_text(mesh_, positions_, attributes));
-  const auto sizes = [](const mesh::Diagnosis& d) {
-    return ordered_json{{"vertices", d.vertices},
-                        {"faces", d.faces},
-                        {"interior_irregular", d.interior_irregular},
-                        {"inverted", d.inverted},
-                        {"scaled_jacobian", {{"least", d.scaled_jacobian.least}, {"mean", d.scaled_jacobian.mean}}}};
-  };
-  summary["before"] = sizes(mesh::diagnose(input_.mesh, input_.positions));
-  summary["after"] = sizes(mesh::diagnose(mesh_, positions_));
+  const Quality quality = compare(input_, mesh_, positions_);
+  add(summary, quality);
   const bool taken = options_.on_stdout("script") || options_.on_stdout("map");
   if (!attributes.not_kept.empty()) summary["not_kept"] = attributes.not_kept;
-  program::finish(options_, summary.dump(), taken ? "" : text + not_kept_line(attributes), std::move(outputs));
+  program::finish(options_, summary.dump(), taken ? "" : text + to_string(quality) + not_kept_line(attributes),
+                  std::move(outputs));
   report_left_out(options_, input_);
   return program::kDone;
 }

@@ -1,4 +1,4 @@
-// An editing session: a surface with its features and an editor, the numbers of vertices in files, local smoothing, and
+// An editing session: a surface with its features and an editor, the numbers of vertices in files, local fits, and
 // the output of the result.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include "mesh/commands/arguments.hpp"
 #include "mesh/editing/affected_region.hpp"
-#include "mesh/geometry/nearest_points.hpp"
+#include "mesh/editing/shape_keeper.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/program/program.hpp"
 
@@ -17,6 +17,7 @@ namespace requad::edit {
 
 // The options of an editing command: its own, then those that all editing commands have.
 std::vector<program::Option> editing_options(std::vector<program::Option> own = {});
+program::Option allow_inverted_option();
 
 class Session {
  public:
@@ -34,8 +35,6 @@ class Session {
   const mesh::Positions& positions() const { return positions_; }
   const mesh::FeatureSet& features() const { return features_; }
   mesh::Editor& editor() { return editor_; }
-  // The input's surface, for projections. It is built at the first call.
-  const mesh::SurfaceIndex& surface();
 
   // The vertex with this number in the input file, counted from 1. Throws UsageError.
   mesh::VertexId vertex(const std::string& word) const;
@@ -45,8 +44,15 @@ class Session {
   std::string describe(mesh::VertexId v) const;
   std::string describe(mesh::VertexId a, mesh::VertexId b) const;
 
-  // Smooths around the changes since the mark. --smooth gives the number of iterations.
-  void smooth_since(std::size_t mark);
+  // Keeps the shape from now on (editing/shape_keeper.hpp). Returns the editor's mark. O(size of the mesh).
+  std::size_t begin();
+  // Fits the mesh to the input, as ShapeKeeper does it. --smooth gives the number of rounds; 0 leaves all vertices where
+  // the operations placed them. Precondition: the mark is not before that of begin().
+  void fit_since(std::size_t mark);
+  void fit_transport(std::size_t mark);
+  // Whether the mesh has more inverted quads than the input. Says so on standard error, unless --allow-inverted is
+  // there: a command that promises that no mesh gets worse then ends with kCheckFailed. `subject` names what was edited.
+  bool is_worse(const std::string& subject) const;
 
   // Ends a command whose edit was made. Adds the sizes before and after to the summary. Writes the files of -o,
   // --script, --map and --json, either all or none, and prints the text. Returns the exit code.
@@ -56,6 +62,8 @@ class Session {
   int refused(const std::string& subject, mesh::Refusal why, const mesh::Obstacles& obstacles = {});
 
  private:
+  int rounds() const;
+
   const program::Options& options_;
   std::string command_;
   mesh::Surface input_;
@@ -64,8 +72,7 @@ class Session {
   mesh::FeatureSet features_;
   mesh::SectorPlan plan_;
   mesh::Editor editor_;
-  std::optional<mesh::SurfaceIndex> surface_;
-  mesh::BreadthFirstDistances distances_;
+  std::optional<mesh::ShapeKeeper> shape_;
 };
 
 }  // namespace requad::edit

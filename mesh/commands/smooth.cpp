@@ -1,7 +1,6 @@
 // requad-edit smooth: moves vertices and changes no connectivity.
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -10,10 +9,13 @@
 
 #include "mesh/commands/arguments.hpp"
 #include "mesh/commands/commands.hpp"
+#include "mesh/commands/quality.hpp"
 #include "mesh/editing/carried_attributes.hpp"
 #include "mesh/editing/script.hpp"
 #include "mesh/files/write_obj.hpp"
-#include "mesh/geometry/diagnosis.hpp"
+#include "mesh/geometry/correspondence.hpp"
+#include "mesh/geometry/fitting.hpp"
+#include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/geometry/smoothing.hpp"
 #include "mesh/program/progress.hpp"
@@ -22,9 +24,10 @@ namespace requad::edit {
 
 namespace {
 
-using mesh::Diagnosis;
 using nlohmann::ordered_json;
 using program::Options;
+
+constexpr double kProjectedBound = 0.01;  // of the diagonal, by default
 
 int smooth(const Options& options) {
   const std::string output = output_path(options, "smooth");
@@ -35,36 +38,55 @@ int smooth(const Options& options) {
   how.weights = options.choice("weights", {"uniform", "chord"}, "uniform") == "chord" ? mesh::SmoothingWeights::chord
                                                                                       : mesh::SmoothingWeights::uniform;
   how.pull_distance = options.number("pull", 0, 0, std::numeric_limits<double>::max());
+  const bool fits = options.has("project");
+  const double bound = options.number("max-deviation", fits ? kProjectedBound : -1, 0, 1);
 
   const mesh::Surface surface = read_input(options);
-  const mesh::FeatureEdges features = read_features(options, surface);
-  std::vector<bool> fixed(surface.positions.size(), false);
-  for (const auto& edge : features) {
-    for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
-  }
+  mesh::FeatureSet features;
+  for (const auto& [a, b] : read_features(options, surface)) features.insert(a, b);
+  const std::size_t feature_edges = features.size();
   const mesh::FeatureEdges seams = mesh::texture_seams(surface);
   if (keeps_seams(options, surface, seams)) {
-    for (const auto& edge : seams) {
-      for (const mesh::VertexId v : edge) fixed[v.slot()] = true;
-    }
+    for (const auto& [a, b] : seams) features.insert(a, b);
   }
-  how.fixed = [&fixed](mesh::VertexId v) { return fixed[v.slot()]; };
-  std::optional<mesh::SurfaceIndex> original;
-  std::optional<mesh::PointIndex> original_vertices;
-  if (options.has("project")) how.project_to = &original.emplace(surface.mesh, surface.positions);
-  if (options.has("pull")) how.pull_to = &original_vertices.emplace(surface.positions);
-
   mesh::QuadMesh same = surface.mesh;
   mesh::Positions positions = surface.positions;
-  mesh::Editor editor(same, nullptr, &positions);
+  mesh::Editor editor(same, &features, &positions);
+  std::optional<mesh::SurfaceIndex> original;
+  std::optional<mesh::Correspondence> homes;
+  std::optional<mesh::PointIndex> original_vertices;
+  if (fits) {
+    original.emplace(surface.mesh, surface.positions);
+    editor.keep(&homes.emplace(same, positions));
+  }
+  if (options.has("pull")) how.pull_to = &original_vertices.emplace(surface.positions);
+  const double diagonal = mesh::bounding_box_diagonal(surface.mesh, surface.positions);
+  mesh::FitOptions fitting;
+  fitting.rounds = 1;
+  fitting.sweeps = 1;
+  fitting.quality = 10 * mesh::kQualityWeight;
+  fitting.tolerance = std::max(bound, kProjectedBound / 10) * diagonal / 2;
+  const int inverted = mesh::diagnose(same, positions).inverted;
+
+  // Whatever goes too far, or makes quads worse, is taken back, and ends the work.
   const std::vector<mesh::VertexId> vertices = surface.mesh.vertices();
   program::Progress progress("iterations", iterations, options.quiet());
-  editor.rearrange(vertices, [&](mesh::Positions& moving) {
-    for (int i = 0; i < iterations; ++i) {
-      mesh::smooth(surface.mesh, moving, vertices, how);
-      progress.advance();
+  int made = 0;
+  for (; made < iterations; ++made) {
+    const std::size_t before = editor.mark();
+    if (fits) {
+      editor.fit(vertices, *original, fitting);
+    } else {
+      editor.smooth(vertices, how);
     }
-  });
+    const bool is_worse = !options.has("no-guard") && mesh::diagnose(same, positions).inverted > inverted;
+    if (is_worse || (bound >= 0 && mesh::hausdorff_distance({same, positions}, {surface.mesh, surface.positions}) >
+                                       bound * diagonal)) {
+      editor.roll_back(before);
+      break;
+    }
+    progress.advance();
+  }
   progress.finish();
   program::Outputs outputs;
   if (options.has("script"))
@@ -79,30 +101,20 @@ int smooth(const Options& options) {
     farthest = std::max(farthest, distance);
     moved += distance > 0 ? 1 : 0;
   }
-  const Diagnosis before = mesh::diagnose(surface.mesh, surface.positions),
-                  after = mesh::diagnose(surface.mesh, positions);
-  const auto quality = [](const Diagnosis& d) {
-    return ordered_json{{"inverted", d.inverted},
-                        {"scaled_jacobian", {{"least", d.scaled_jacobian.least}, {"mean", d.scaled_jacobian.mean}}}};
-  };
-  const auto line = [](const char* name, const Diagnosis& d) {
-    std::array<char, 128> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "%s scaled Jacobian mean %.4f, least %.4f, %d inverted\n", name,
-                  d.scaled_jacobian.mean, d.scaled_jacobian.least, d.inverted);
-    return std::string(buffer.data());
-  };
-  program::finish(options,
-                  ordered_json{{"vertices", surface.mesh.vertex_count()},
-                               {"moved", moved},
-                               {"largest_move", farthest},
-                               {"feature_edges", features.size()},
-                               {"before", quality(before)},
-                               {"after", quality(after)}}
-                      .dump(),
-                  options.on_stdout("script")
-                      ? ""
-                      : counted(moved, "vertex", "vertices") + " moved\n" + line("before", before) +
-                            line("after ", after) + not_kept_line(attributes),
+  const Quality quality = compare(surface, same, positions);
+  ordered_json summary{{"vertices", surface.mesh.vertex_count()},
+                       {"moved", moved},
+                       {"largest_move", farthest},
+                       {"iterations", made},
+                       {"feature_edges", feature_edges}};
+  add(summary, quality);
+  std::string text = counted(moved, "vertex", "vertices") + " moved\n";
+  if (made < iterations) {
+    text += "stopped after " + counted(made, "iteration", "iterations") +
+            ": the next one goes beyond --max-deviation, or inverts a quad\n";
+  }
+  program::finish(options, summary.dump(),
+                  options.on_stdout("script") ? "" : text + to_string(quality) + not_kept_line(attributes),
                   std::move(outputs));
   report_left_out(options, surface);
   return program::kDone;
@@ -115,7 +127,12 @@ program::Command smooth_command() {
       output_option(),
       program::value("iterations", "N", "smooth N times (default 10)"),
       program::value("weights", "uniform|chord", "weights of the neighbours (default uniform)"),
-      program::flag("project", "move each vertex back to the surface of IN"),
+      program::flag("project",
+                    "fit to the surface of IN: vertices stay near it, and what sticks out of IN stays\n"
+                    "covered"),
+      program::value("max-deviation", "D",
+                     "stop before the Hausdorff distance of OUT and IN exceeds D times the diagonal of\n"
+                     "IN (default with --project: 0.01; else no bound)"),
       program::value("pull", "T", "keep each vertex within distance T of the nearest vertex of IN"),
       program::flag("no-guard", "take steps that invert a quad too"),
       program::output("script", "FILE", "write the move as text, for `requad-edit apply`"),
@@ -126,7 +143,7 @@ program::Command smooth_command() {
       .usage = {"IN -o OUT"},
       .summary = "smooths the mesh (Laplacian smoothing)",
       .text = R"(Vertices on the boundary and on features stay. A step that would invert a quad
-is not taken.
+is not taken. Laplacian smoothing shrinks what is round; --project keeps the shape.
 )",
       .examples = {"requad-edit smooth mesh/examples/figure-16.obj --project -o smooth.obj",
                    "requad-edit smooth mesh/examples/figure-17.obj --feature-angle 40 --weights chord -o smooth.obj"},

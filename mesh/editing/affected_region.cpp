@@ -27,14 +27,4 @@ AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances
   return result;
 }
 
-void smooth_since(Editor& editor, BreadthFirstDistances& distances, std::size_t mark, int iterations,
-                  const SurfaceIndex& surface) {
-  constexpr int kRings = 2;
-  SmoothingOptions how;
-  how.iterations = iterations;
-  how.project_to = &surface;
-  const AffectedRegion affected = affected_region_since(editor, distances, mark, kRings);
-  editor.smooth(affected.near, how);
-}
-
 }  // namespace requad::mesh

@@ -21,11 +21,4 @@ struct AffectedRegion {
 AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances& distances, std::size_t mark,
                                      int rings);
 
-// The number of iterations of which the programs make use, unless they are told another one.
-inline constexpr int kUsualSmoothing = 4;
-// Smooths round the edits after the first `mark` ones: what changed and two rings more, projected onto the surface, as one
-// edit. O(size of the region) times the iterations.
-void smooth_since(Editor& editor, BreadthFirstDistances& distances, std::size_t mark, int iterations,
-                  const SurfaceIndex& surface);
-
 }  // namespace requad::mesh

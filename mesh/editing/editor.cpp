@@ -1,5 +1,6 @@
 #include "mesh/editing/editor.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -61,6 +62,12 @@ Applied Editor::perform(const BasicOperation& operation) {
   for (std::size_t i = 0; i < edit.changed.size(); ++i) {
     if (edit.changed[i].valid()) edit.fans[i] = mesh_.out(edit.changed[i]);
   }
+  if (operation.kind == BasicOperation::Kind::collapse) {
+    for (int k = 0; k < 4; ++k) {
+      const HalfEdgeId twin = mesh_.twin(QuadMesh::half_edge(QuadMesh::face(operation.h), k));
+      if (twin.valid()) edit.beside[static_cast<std::size_t>(k)] = QuadMesh::face(twin);
+    }
+  }
   done = apply_unchecked(mesh_, operation);
   edit.inverse = done.inverse;
   operations_.push_back({operation, done.inverse});
@@ -101,6 +108,40 @@ void Editor::smooth(std::span<const VertexId> vertices, SmoothingOptions how) {
   rearrange(vertices, [&](Positions& positions) { mesh::smooth(mesh_, positions, vertices, how); });
 }
 
+void Editor::keep(Correspondence* homes) {
+  // What was fitted before is a mere placement for the new correspondence.
+  for (Edit& edit : edits_) edit.carries = false;
+  homes_ = homes;
+  followed_ = edits_.size();
+}
+
+Edit Editor::carried() {
+  Edit edit;
+  edit.carries = true;
+  edit.homes = homes_->mark();
+  edit.followed = followed_;
+  for (; followed_ < edits_.size(); ++followed_) {
+    const Edit& done = edits_[followed_];
+    if (done.removed_face().valid()) homes_->leave(done.removed_face(), done.beside);
+  }
+  return edit;
+}
+
+void Editor::carry() {
+  edits_.push_back(carried());
+  ++followed_;
+}
+
+void Editor::fit(std::span<const VertexId> vertices, const SurfaceIndex& surface, FitOptions how) {
+  how.fixed = [this](VertexId v) { return sectors_.is_feature(v); };
+  Edit edit = carried();
+  edit.placements = rearranged(vertices, [&](Positions& positions) {
+                      mesh::fit(mesh_, positions, vertices, *homes_, surface, how);
+                    }).placements;
+  edits_.push_back(std::move(edit));
+  ++followed_;
+}
+
 void Editor::record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to) {
   Eigen::Vector3d& now = (*positions_)[v.slot()];
   edit.placements.push_back({v, now, to});
@@ -139,22 +180,35 @@ void Editor::roll_back(std::size_t mark) {
     for (auto p = placements.rbegin(); p != placements.rend(); ++p) (*positions_)[p->vertex.slot()] = p->from;
     if (edits_.back().operates) {
       roll_back_last();
-      for (std::size_t i = 0; restores_fans_ && i < 4; ++i) {
+      for (std::size_t i = 0; i < 4; ++i) {
         if (edits_.back().fans[i].valid()) MeshSurgery(mesh_).restart(edits_.back().changed[i], edits_.back().fans[i]);
       }
     }
+    if (edits_.back().carries) {
+      homes_->roll_back(edits_.back().homes);
+      followed_ = edits_.back().followed;
+    }
     edits_.pop_back();
   }
+  followed_ = std::min(followed_, edits_.size());
 }
 
 void Editor::redo(const Edit& edit) {
-  if (!edit.operates) {
+  const bool carries = edit.carries && homes_ != nullptr;
+  if (carries) {
+    carry();
+  } else if (!edit.operates) {
     edits_.emplace_back();
   } else if (perform(edit.operation).refusal != Refusal::none) {
     throw std::logic_error("an edit that was rolled back cannot be made again");
   }
   grow_positions();
   for (const Placement& p : edit.placements) record_placement(edits_.back(), p.vertex, p.to);
+  if (!carries) return;
+  std::vector<FaceId> faces;
+  for (const Placement& p : edit.placements)
+    mesh_.for_each_out(p.vertex, [&](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
+  homes_->settle(mesh_, *positions_, faces);
 }
 
 void Editor::forget() {

@@ -4,7 +4,8 @@
 // positions (if it is given any). All edits of real meshes, from the transport of an adjacent 3-5 pair to the
 // reduction of a whole mesh, go through one.
 //
-// Law editing-2. roll_back(mark) also restores the positions of the live vertices, bit by bit.
+// Law editing-2. roll_back(mark) also restores the positions of the live vertices, and the homes of a correspondence,
+//         bit by bit.
 // Law editing-3. No position of a fixed vertex changes. A vertex is fixed if it lies on the boundary or on a feature.
 // Law editing-4. Whatever the editor performs keeps every feature edge (Law editing-5 in features.hpp).
 //
@@ -22,6 +23,7 @@
 #include "mesh/editing/features.hpp"
 #include "mesh/editing/operation_log.hpp"
 #include "mesh/editing/sectors.hpp"
+#include "mesh/geometry/fitting.hpp"
 #include "mesh/geometry/measures.hpp"
 #include "mesh/geometry/smoothing.hpp"
 
@@ -41,7 +43,12 @@ struct Edit {
   BasicOperation inverse;           // if it operates
   std::array<VertexId, 4> changed;  // if it operates: the vertices whose valence changed, a split's new one among them
   std::array<HalfEdgeId, 4> fans;   // of these, the half-edge out() before; none if the vertex was not there
+  std::array<FaceId, 4> beside;     // if it collapses: the faces that lay beyond the edges of the face's four corners
   std::vector<Placement> placements;
+  // If it carries a correspondence: its mark before, and how many edits it had been carried through then.
+  bool carries = false;
+  std::size_t homes = 0;
+  std::size_t followed = 0;
 
   // The vertex and the face that a collapse removed or that a split made; none if the edit did not.
   VertexId removed_vertex() const;
@@ -83,40 +90,57 @@ class Editor : public OperationLog {
   // Lets `arrange(positions)` move some of these vertices, as one edit. It must move no other one and no fixed one.
   template <class Arrange>
   void rearrange(std::span<const VertexId> vertices, Arrange&& arrange) {
-    Edit edit;
-    for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], Eigen::Vector3d::Zero()});
-    arrange(*positions_);
-    for (Placement& p : edit.placements) p.to = (*positions_)[p.vertex.slot()];
-    std::erase_if(edit.placements, [](const Placement& p) { return same_bits(p.from, p.to); });
+    Edit edit = rearranged(vertices, arrange);
     if (!edit.placements.empty()) edits_.push_back(std::move(edit));
   }
 
   // Smooths some vertices, as one edit. Fixed ones stay: `how.fixed` is overridden. Precondition: there are positions.
   void smooth(std::span<const VertexId> vertices, SmoothingOptions how);
 
+  // From now on keeps a correspondence with the mesh, or none if it is null; it must live as long. The edits before this
+  // call can still be rolled back, but the correspondence is wrong then. Preconditions: there are positions, and the
+  // homes of the correspondence are on the mesh as it is.
+  void keep(Correspondence* homes);
+  // Carries the correspondence through the edits since the last time, as one edit: each sample has a face again.
+  // Precondition: a correspondence is kept.
+  void carry();
+  // Carries the correspondence, then moves the vertices (fitting.hpp), as one edit. Fixed ones stay: `how.fixed` is
+  // overridden. Precondition: a correspondence is kept.
+  void fit(std::span<const VertexId> vertices, const SurfaceIndex& surface, FitOptions how);
+
   // What was done since the start, or since forget(), without what was rolled back. Marks count these edits.
   const std::vector<Edit>& edits() const { return edits_; }
   std::size_t mark() const override { return edits_.size(); }
+  // Also restores the half-edge at which each fan starts, QuadMesh::out(). So edits that were tried and rolled back leave
+  // no trace: what is done next, and in what order, does not depend on them.
   void roll_back(std::size_t mark = 0) override;
-  // Whether rolling back also restores the half-edge at which each fan starts, QuadMesh::out(). Then edits that were tried
-  // and rolled back leave no trace: what is done next, and in what order, does not depend on them. Not so at first.
-  void restore_fans(bool restore) { restores_fans_ = restore; }
   // Makes an edit again that was rolled back: the same ids and bits. Precondition: the mesh is as it was before the
-  // edit. Throws std::logic_error if the operation is refused.
+  // edit. The homes of a correspondence are found anew. Throws std::logic_error if the operation is refused.
   void redo(const Edit& edit);
   void forget() override;
 
  private:
   Applied perform(const BasicOperation& operation);
+  Edit carried();
+  template <class Arrange>
+  Edit rearranged(std::span<const VertexId> vertices, Arrange&& arrange) {
+    Edit edit;
+    for (const VertexId v : vertices) edit.placements.push_back({v, (*positions_)[v.slot()], Eigen::Vector3d::Zero()});
+    arrange(*positions_);
+    for (Placement& p : edit.placements) p.to = (*positions_)[p.vertex.slot()];
+    std::erase_if(edit.placements, [](const Placement& p) { return same_bits(p.from, p.to); });
+    return edit;
+  }
   void grow_positions();
   void record_placement(Edit& edit, VertexId v, const Eigen::Vector3d& to);
   void place_parts(HalfEdgeId made, Edit& edit);
 
   const FeatureSet* features_;
   Positions* positions_;
+  Correspondence* homes_ = nullptr;
+  std::size_t followed_ = 0;  // the correspondence is carried through so many edits
   Sectors sectors_;
   std::vector<Edit> edits_;
-  bool restores_fans_ = false;
 };
 
 }  // namespace requad::mesh

@@ -41,20 +41,21 @@ Vector3d face_centre(const QuadMesh& m, const Positions& positions, FaceId f) {
   return (c[0] + c[1] + c[2] + c[3]) / 4;
 }
 
-std::array<Triangle, 2> triangles(const QuadMesh& m, const Positions& positions, FaceId f) {
+FaceTriangles triangles_of(const QuadMesh& m, const Positions& positions, FaceId f) {
   const auto c = corner_positions(m, positions, f);
   const Vector3d normal = area_vector(c);
-  const auto halves = [&c](std::size_t k) {
-    return std::array<Triangle, 2>{{{c[k], c[k + 1], c[(k + 2) % 4]}, {c[k], c[(k + 2) % 4], c[(k + 3) % 4]}}};
+  const auto inside = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return (c[j] - c[i]).cross(c[k] - c[i]).dot(normal) > 0;
   };
-  const auto inside = [&normal](const std::array<Triangle, 2>& two) {
-    return std::all_of(two.begin(), two.end(),
-                       [&](const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).dot(normal) > 0; });
-  };
-  const std::array<Triangle, 2> first = halves(0), second = halves(1);
-  const bool first_inside = inside(first), second_inside = inside(second);
-  if (first_inside != second_inside) return first_inside ? first : second;
-  return (c[2] - c[0]).squaredNorm() <= (c[3] - c[1]).squaredNorm() ? first : second;
+  const bool first_inside = inside(0, 1, 2) && inside(0, 2, 3), second_inside = inside(1, 2, 3) && inside(1, 3, 0);
+  const bool first =
+      first_inside != second_inside ? first_inside : (c[2] - c[0]).squaredNorm() <= (c[3] - c[1]).squaredNorm();
+  if (first) return {{{{c[0], c[1], c[2]}, {c[0], c[2], c[3]}}}, {{{0, 1, 2}, {0, 2, 3}}}};
+  return {{{{c[1], c[2], c[3]}, {c[1], c[3], c[0]}}}, {{{1, 2, 3}, {1, 3, 0}}}};
+}
+
+std::array<Triangle, 2> triangles(const QuadMesh& m, const Positions& positions, FaceId f) {
+  return triangles_of(m, positions, f).triangles;
 }
 
 double scaled_jacobian(const QuadMesh& m, const Positions& positions, FaceId f) {

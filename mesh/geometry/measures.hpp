@@ -51,6 +51,12 @@ double area(const QuadMesh& mesh, const Positions& positions, FaceId f);
 Eigen::Vector3d face_normal(const QuadMesh& mesh, const Positions& positions, FaceId f);
 Eigen::Vector3d face_centre(const QuadMesh& mesh, const Positions& positions, FaceId f);
 std::array<Triangle, 2> triangles(const QuadMesh& mesh, const Positions& positions, FaceId f);
+// The same with the corners of the face, 0..3, that each triangle has.
+struct FaceTriangles {
+  std::array<Triangle, 2> triangles;
+  std::array<std::array<int, 3>, 2> corners;
+};
+FaceTriangles triangles_of(const QuadMesh& mesh, const Positions& positions, FaceId f);
 
 // The least sine of the angle at a corner, as seen along the normal: 1 for rectangles, 0 or less for inverted faces,
 // and 0 if a side or the area is zero. In -1..1.

@@ -69,13 +69,15 @@ constexpr std::array<CancellationOrder, 4> kCancellationOrders{
     {{false, false}, {true, false}, {false, true}, {true, true}}};
 
 Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
-                             std::vector<VertexId> helpers, CancellationOrder order) {
+                             std::vector<VertexId> helpers, CancellationOrder order,
+                             const std::function<void(std::size_t)>& after_transport) {
   const QuadMesh& m = editor.mesh();
   Cancellation result;
   BreadthFirstDistances around;
   int transports_left = -1;
   const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
   for (bool adjacent = false; !adjacent;) {
+    const std::size_t mark = editor.mark();
     const Route path = route(editor, around, three, five, -1);
     // Splits on the way may make the path longer, so the number of transports is bounded.
     if (transports_left < 0) transports_left = 3 * path.length + 8;
@@ -103,6 +105,7 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
     ++result.transports;
     result.steps += report.steps;
     update_helpers(editor, report, helpers);
+    if (after_transport) after_transport(mark);
   }
   result.helpers = std::move(helpers);
   return result;
@@ -117,7 +120,8 @@ std::vector<VertexId> usual_helpers(const Editor& editor, BreadthFirstDistances&
 }
 
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
-                         const std::vector<VertexId>& helpers) {
+                         const std::vector<VertexId>& helpers,
+                         const std::function<void(std::size_t mark)>& after_transport) {
   const Sectors& sectors = editor.sectors();
   Cancellation result;
   if (!sectors.lacks(three) || !sectors.exceeds(five)) {
@@ -129,7 +133,7 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
   } else {
     const std::size_t start = editor.mark();
     for (const CancellationOrder order : kCancellationOrders) {
-      result = cancel_in_order(editor, transport, three, five, helpers, order);
+      result = cancel_in_order(editor, transport, three, five, helpers, order, after_transport);
       if (result.refusal == Refusal::none) break;
       editor.roll_back(start);
     }

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "mesh/irregular/pair_moves.hpp"
@@ -32,8 +34,11 @@ struct Cancellation {
 // Refusals: wrong_valences; index if both irregularities have one sign, which cannot cancel each other; lone_pair
 // without helpers; no_path if the v3 cannot reach the v5 or no helper can be reached. Costs as many transports as the
 // distance of the pair.
+// `after_transport(mark)` is called after each transport, which did what the editor did since the mark. It may move
+// vertices.
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
-                         const std::vector<VertexId>& helpers);
+                         const std::vector<VertexId>& helpers,
+                         const std::function<void(std::size_t mark)>& after_transport = {});
 
 // The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only
 // at vertices that may change, no further than it must, and not beyond fixed ones.

@@ -1,15 +1,19 @@
 #include "mesh/irregular/reduce.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <queue>
 #include <span>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "mesh/editing/affected_region.hpp"
-#include "mesh/editing/untangling.hpp"
+#include "mesh/geometry/correspondence.hpp"
+#include "mesh/geometry/fitting.hpp"
+#include "mesh/geometry/hausdorff_distance.hpp"
 
 namespace requad::mesh {
 
@@ -17,7 +21,21 @@ namespace {
 
 constexpr int kPartners = 3;  // candidates looked for at each vertex
 constexpr int kHelpers = 8;   // third vertices offered to a cancellation
-constexpr int kRings = 2;     // smoothed round what a cancellation changed; one more is measured
+
+// How far and how often a fit goes.
+struct Reach {
+  int rings;  // round what changed
+  int rounds;
+  bool joint;
+};
+constexpr int kLongTransport = 8;        // edits
+constexpr Reach kOnTheWay{2, 1, false};  // after each transport of a cancellation, so that nothing is lost
+constexpr Reach kAfterLongTransport{4, 3, true};
+constexpr Reach kWhenMade{4, 3, false};
+constexpr Reach kRescue{12, 8, true};   // if a quad is inverted or too far away then
+constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
+// The fit in the end: good quads as far as the bound allows; without a bound, the surface comes first.
+constexpr std::array<double, 3> kFinalQualities{10 * kQualityWeight, 4 * kQualityWeight, kQualityWeight};
 
 struct Candidate {
   double cost;
@@ -29,31 +47,49 @@ struct Candidate {
   }
 };
 
+// What a cancellation that was made adds to the report.
+struct Made {
+  std::size_t start;  // the editor's mark before it
+  int transports;
+  int operations;
+};
+
 class Reducer {
  public:
   Reducer(Editor& editor, const ReduceOptions& options)
-      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor) {
-    smoothing_.iterations = options.smoothing_iterations;
-    smoothing_.weights = SmoothingWeights::uniform;
-    smoothing_.project_to = options.surface;
+      : editor_(editor),
+        m_(editor.mesh()),
+        options_(options),
+        transport_(editor),
+        input_(m_),
+        input_positions_(*editor.positions()),
+        homes_(m_, input_positions_),
+        surface_(m_, input_positions_) {
+    editor.keep(&homes_);
+    const double avoided = 0.005 * bounding_box_diagonal(m_, input_positions_);
+    fitting_.tolerance = options.max_deviation > 0 ? std::min(avoided, options.max_deviation / 2) : avoided;
+    fitting_.sweeps = std::max(options.sweeps, 1);
   }
 
+  ~Reducer() { editor_.keep(nullptr); }
+  Reducer(const Reducer&) = delete;
+  Reducer& operator=(const Reducer&) = delete;
+
   ReduceReport run() {
-    if (options_.max_deviation >= 0 && options_.surface == nullptr)
-      throw std::invalid_argument("reduce: max_deviation needs a surface");
+    start_ = editor_.mark();
     report_.before = count_irregular();
     report_.after = report_.before;
     for (bool progress = true; progress && report_.after > options_.until;) {
       // Where nothing can be cancelled, parting would only make more irregular vertices.
-      if (!editor_.sectors().is_minimal()) report_.parted += part_all(editor_);
-      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), 0);
-      irregular_.assign(values_.size(), false);
+      if (!editor_.sectors().is_minimal()) part();
+      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
       report_.after = 0;
       for (const VertexId v : m_.vertices()) remember(v);
       // Everything is tried again as long as something succeeds: what was refused once may have become possible.
       progress = false;
       report_.refusals.clear();
       report_.too_far = 0;
+      report_.folded = 0;
       queue_ = {};
       for (const VertexId v : m_.vertices()) add_candidates(v);
       while (!queue_.empty() && report_.after > options_.until) {
@@ -62,15 +98,26 @@ class Reducer {
         if (options_.progress) options_.progress(report_.after);
       }
     }
-    smoothing_.iterations = options_.final_iterations;
-    editor_.smooth(m_.vertices(), smoothing_);
-    // Untangling may lead far along the surface.
-    if (options_.final_iterations > 0 && options_.max_deviation < 0) untangle(editor_, smoothing_);
+    finish();
+    keep_bound();
+    report_.after = count_irregular();
+    report_.cancelled = static_cast<int>(made_.size());
+    for (const Made& made : made_) {
+      report_.transports += made.transports;
+      report_.operations += made.operations;
+    }
     report_.minimal = editor_.sectors().is_minimal();
     return report_;
   }
 
  private:
+  // What a vertex adds: a quarter of what each of its faces does, and its own.
+  struct Value {
+    double cost = 0;
+    int inverted = 0;
+    bool irregular = false;
+  };
+
   bool is_three(VertexId v) const { return m_.is_live(v) && editor_.sectors().lacks(v); }
   bool is_five(VertexId v) const { return m_.is_live(v) && editor_.sectors().exceeds(v); }
   bool is_irregular(VertexId v) const { return editor_.sectors().is_irregular(v); }
@@ -80,6 +127,96 @@ class Reducer {
     const std::vector<VertexId> all = m_.vertices();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [this](VertexId v) { return is_irregular(v); }));
   }
+  int count_inverted() const {
+    const std::vector<FaceId> all = m_.faces();
+    return static_cast<int>(std::count_if(
+        all.begin(), all.end(), [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
+  }
+
+  void part() {
+    const std::size_t start = editor_.mark();
+    const int inverted = count_inverted();
+    const int parted = part_all(editor_);
+    if (parted == 0) return;
+    fit_since(start, kWhenMade);
+    if (options_.allow_inverted || count_inverted() <= inverted) {
+      report_.parted += parted;
+    } else {
+      editor_.roll_back(start);
+    }
+  }
+
+  // Fits all that was touched, or everything if the caller asks for it. Takes all back if nothing was cancelled.
+  void finish() {
+    if (made_.empty()) {
+      editor_.roll_back(start_);
+      report_.parted = 0;
+    }
+    if (options_.final_rounds == 0 || (made_.empty() && !options_.fit_all)) return;
+    // Good quads as far as the bound allows; without a bound, the surface comes first.
+    const std::span<const double> qualities = std::span(kFinalQualities).subspan(options_.max_deviation < 0 ? 2 : 0);
+    for (const double quality : qualities) {
+      if (fit_in_the_end(quality)) return;
+    }
+  }
+  // In some rounds at a time. What they make worse is taken back, up to the last ones that made nothing worse. Returns
+  // whether there are such.
+  bool fit_in_the_end(double quality) {
+    constexpr int kAtATime = 5;
+    const int inverted = count_inverted();
+    std::size_t good = editor_.mark();
+    bool any = false;
+    for (int rounds = options_.final_rounds; rounds > 0; rounds -= kAtATime) {
+      const Reach reach{kWhenMade.rings, std::min(kAtATime, rounds), true};
+      if (options_.fit_all) {
+        affected_ = {};
+        affected_.near = m_.vertices();
+        affected_.inner = affected_.near.size();
+      } else {
+        affected_ = affected_region_since(editor_, around_, start_, reach.rings + 1);
+      }
+      fit_affected(reach, quality);
+      if (!options_.allow_inverted && count_inverted() > inverted) straighten();
+      if ((!options_.allow_inverted && count_inverted() > inverted) || !is_within_bound()) continue;
+      good = editor_.mark();
+      any = true;
+    }
+    editor_.roll_back(good);
+    return any;
+  }
+  // Fits round the inverted quads of the affected region, inside it, for good quads above all.
+  void straighten() {
+    constexpr int kRings = 3, kRounds = 5;
+    std::vector<VertexId> inside(affected_.near.begin(),
+                                 affected_.near.begin() + static_cast<std::ptrdiff_t>(affected_.inner));
+    std::sort(inside.begin(), inside.end());
+    std::vector<VertexId> corners;
+    for (const VertexId v : inside) {
+      m_.for_each_out(v, [&](HalfEdgeId h) {
+        if (is_inverted(scaled_jacobian(m_, positions(), QuadMesh::face(h)))) corners.push_back(v);
+      });
+    }
+    if (corners.empty()) return;
+    const auto is_inside = [&](VertexId v) { return std::binary_search(inside.begin(), inside.end(), v); };
+    around_.measure(m_, corners, is_inside, is_inside, [](VertexId, int d) { return d > kRings; });
+    const std::vector<VertexId> near = around_.met();
+    FitOptions how = fitting_;
+    how.rounds = kRounds;
+    how.quality = kFinalQualities.front();
+    editor_.fit(near, surface_, how);
+  }
+  // Takes back the last cancellations, and as many as it must, until the bound holds.
+  void keep_bound() {
+    for (std::size_t number = 1; !made_.empty() && !is_within_bound(); number *= 2) {
+      number = std::min(number, made_.size());
+      report_.too_far += static_cast<int>(number);
+      editor_.roll_back(made_[made_.size() - number].start);
+      made_.resize(made_.size() - number);
+      finish();
+    }
+  }
+  bool is_within_bound() const { return options_.max_deviation < 0 || hausdorff() <= options_.max_deviation; }
+  double hausdorff() const { return hausdorff_distance({m_, positions()}, {input_, input_positions_}); }
 
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
@@ -93,111 +230,180 @@ class Reducer {
     }
   }
   void add(VertexId three, VertexId five) {
-    const std::size_t mark = editor_.mark();
     double cost = 0;
-    if (make(three, five, cost)) queue_.push({cost, three, five, report_.cancelled});
-    editor_.roll_back(mark);
+    if (estimate(three, five, cost)) queue_.push({cost, three, five, stage()});
+  }
+  int stage() const { return static_cast<int>(made_.size()); }
+
+  // Fits round the edits since the mark; what they affect is in affected_ then.
+  void fit_since(std::size_t mark, const Reach& reach) {
+    affected_ = affected_region_since(editor_, around_, mark, reach.rings + 1);
+    if (options_.sweeps > 0) fit_affected(reach, kQualityWeight);
+  }
+  void fit_affected(const Reach& reach, double quality) {
+    FitOptions how = fitting_;
+    how.rounds = reach.rounds;
+    how.joint = reach.joint;
+    how.quality = quality;
+    editor_.fit(std::span(affected_.near).first(affected_.inner), surface_, how);
   }
 
-  // Cancels the pair and smooths. Leaves the mesh as it was if this is refused.
-  bool make(VertexId three, VertexId five, double& cost) {
-    ++report_.measured;
-    const std::size_t mark = editor_.mark();
+  // Cancels the pair, with fits on the way if asked for. Leaves the mesh as it was if this is refused.
+  bool make(VertexId three, VertexId five, bool fits) {
     const auto helpers =
         nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
-    last_ = cancel_pair(editor_, transport_, three, five, helpers);
-    if (last_.refusal != Refusal::none) {
-      ++report_.refusals[last_.refusal];
-      return false;
+    std::function<void(std::size_t)> on_the_way;
+    if (fits) {
+      on_the_way = [this](std::size_t mark) {
+        const bool is_long = editor_.mark() - mark > kLongTransport;
+        fit_since(mark, is_long ? kAfterLongTransport : kOnTheWay);
+      };
     }
-    affected_ = affected_region_since(editor_, around_, mark, kRings + 1);
-    editor_.smooth(std::span(affected_.near).first(affected_.inner), smoothing_);
-    if (deviation() > options_.max_deviation && options_.max_deviation >= 0) {
-      ++report_.too_far;
-      editor_.roll_back(mark);
-      return false;
-    }
-    cost = 0;
-    for (const VertexId v : affected_.near) {
-      cost += value(v);
-      // A vertex that was made has no value yet. Another one that had its id counts as removed.
-      if (v.slot() < values_.size()) cost -= values_[v.slot()];
-    }
-    for (const VertexId v : affected_.removed) cost -= v.slot() < values_.size() ? values_[v.slot()] : 0;
-    return true;
+    last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
+    if (last_.refusal != Refusal::none) ++report_.refusals[last_.refusal];
+    return last_.refusal == Refusal::none;
   }
 
-  // The largest distance of the centre of a changed face from the surface.
+  // What a cancellation seems to cost. Nothing is fitted for it, so this is quick: the paper's cost, or the number of
+  // samples that lose their face, a quarter each, and some of the number of operations. Where the mesh is coarse, many
+  // samples lie on a face.
+  bool estimate(VertexId three, VertexId five, double& cost) {
+    ++report_.measured;
+    const std::size_t before = editor_.mark();
+    const bool made = make(three, five, false);
+    if (made && options_.cost == ReduceCost::curvature) {
+      affected_ = affected_region_since(editor_, around_, before, 1);
+      cost = change().cost;
+    } else if (made) {
+      const std::size_t homes = homes_.mark();
+      editor_.carry();
+      cost = static_cast<double>(homes_.mark() - homes) / 4 + kOperationCost * last_.steps;
+    }
+    editor_.roll_back(before);
+    return made;
+  }
+
+  // What the affected region adds now, less what it added before the edit.
+  Value change() const {
+    Value sum;
+    const auto subtract = [&](VertexId v) {
+      // A vertex that was made has no value yet. Another one that had its id counts as removed.
+      if (v.slot() >= values_.size()) return;
+      sum.cost -= values_[v.slot()].cost;
+      sum.inverted -= values_[v.slot()].inverted;
+    };
+    for (const VertexId v : affected_.near) {
+      const Value now = value(v);
+      sum.cost += now.cost;
+      sum.inverted += now.inverted;
+      subtract(v);
+    }
+    for (const VertexId v : affected_.removed) subtract(v);
+    return sum;
+  }
+
+  // Whether the affected region is as good as it must be.
+  bool is_acceptable() const { return !is_inverted_more() && !is_too_far(); }
+  bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
+  // Samples are not all points, so a little less is allowed to them.
+  bool is_too_far() const { return options_.max_deviation >= 0 && deviation() > 0.9 * options_.max_deviation; }
+  // The largest distance of the samples at home in the affected region from the mesh, and of points of the region from
+  // the surface.
   double deviation() const {
     double largest = 0;
-    if (options_.max_deviation < 0) return largest;
     for (const VertexId v : std::span(affected_.near).first(affected_.inner)) {
+      const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
+      look(positions()[v.slot()]);
       m_.for_each_out(v, [&](HalfEdgeId h) {
-        const Eigen::Vector3d centre = face_centre(m_, positions(), QuadMesh::face(h));
-        largest = std::max(largest, options_.surface->nearest(centre).distance);
+        const FaceId f = QuadMesh::face(h);
+        homes_.for_each_sample(
+            f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
+        if (m_.origin(QuadMesh::half_edge(f)) == v) look(face_centre(m_, positions(), f));
+        look((positions()[m_.origin(h).slot()] + positions()[m_.target(h).slot()]) / 2);
       });
     }
     return largest;
   }
 
-  // What a vertex adds to the cost of the mesh.
-  double value(VertexId v) const {
-    if (options_.cost == ReduceCost::curvature) return std::abs(mean_curvature(m_, positions(), v));
-    double sum = 0;
+  Value value(VertexId v) const {
+    Value result;
+    result.irregular = is_irregular(v);
     m_.for_each_out(v, [&](HalfEdgeId h) {
       const FaceId f = QuadMesh::face(h);
-      sum += (1 - scaled_jacobian(m_, positions(), f)) * area(m_, positions(), f);
+      result.inverted += is_inverted(scaled_jacobian(m_, positions(), f)) ? 1 : 0;
     });
-    return sum / 4;
+    if (options_.cost == ReduceCost::curvature) result.cost = std::abs(mean_curvature(m_, positions(), v));
+    return result;
   }
 
   // Remembers the value that a vertex has before the next cancellation.
   void remember(VertexId v) {
-    if (v.slot() >= values_.size()) {
-      values_.resize(v.slot() + 1, 0);
-      irregular_.resize(v.slot() + 1, false);
-    }
-    values_[v.slot()] = m_.is_live(v) ? value(v) : 0;
-    const bool irregular = m_.is_live(v) && is_irregular(v);
-    report_.after += static_cast<int>(irregular) - static_cast<int>(irregular_[v.slot()]);
-    irregular_[v.slot()] = irregular;
+    if (v.slot() >= values_.size()) values_.resize(v.slot() + 1);
+    Value& remembered = values_[v.slot()];
+    const bool before = remembered.irregular;
+    remembered = m_.is_live(v) ? value(v) : Value{};
+    report_.after += static_cast<int>(remembered.irregular) - static_cast<int>(before);
   }
 
-  // Makes the cheapest candidate, provided that it is still the cheapest when it is measured again.
+  // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
+  std::optional<Candidate> next_candidate() {
+    while (!queue_.empty()) {
+      Candidate c = queue_.top();
+      queue_.pop();
+      if (!is_three(c.three) || !is_five(c.five)) continue;
+      if (c.measured_at == stage()) return c;
+      c.measured_at = stage();
+      if (estimate(c.three, c.five, c.cost)) queue_.push(c);
+    }
+    return std::nullopt;
+  }
+
+  // Makes the cheapest cancellation and fits it. If it is not acceptable then, fits more. Returns false, and leaves the
+  // mesh as it was, if none can be made or if that does not help either.
   bool take_cheapest() {
-    Candidate c = queue_.top();
-    queue_.pop();
-    if (!is_three(c.three) || !is_five(c.five)) return false;
-    const std::size_t mark = editor_.mark();
-    if (!make(c.three, c.five, c.cost)) return false;
-    if (c.measured_at != report_.cancelled && !queue_.empty() && c.cost > queue_.top().cost) {
-      editor_.roll_back(mark);
-      c.measured_at = report_.cancelled;
-      queue_.push(c);
+    const std::optional<Candidate> c = next_candidate();
+    if (!c) return false;
+    const std::size_t before = editor_.mark();
+    if (!make(c->three, c->five, true) || !fit_made(before)) {
+      editor_.roll_back(before);
       return false;
     }
-    ++report_.cancelled;
-    report_.transports += last_.transports;
-    report_.operations += last_.steps;
+    made_.push_back({before, last_.transports, last_.steps});
     for (const VertexId v : affected_.removed) remember(v);
     for (const VertexId v : affected_.near) remember(v);
     const std::vector<VertexId> changed = std::move(affected_.changed);
     for (const VertexId v : changed) add_candidates(v);
     return true;
   }
+  bool fit_made(std::size_t before) {
+    for (const Reach& reach : {kWhenMade, kRescue}) {
+      fit_since(before, reach);
+      if (is_acceptable()) return true;
+      if (!is_inverted_more() || options_.sweeps == 0) continue;
+      straighten();
+      if (is_acceptable()) return true;
+    }
+    ++(is_inverted_more() ? report_.folded : report_.too_far);
+    return false;
+  }
 
   Editor& editor_;
   const QuadMesh& m_;
   const ReduceOptions& options_;
   PairTransport transport_;
+  const QuadMesh input_;
+  const Positions input_positions_;
+  Correspondence homes_;
+  SurfaceIndex surface_;
+  FitOptions fitting_;
   BreadthFirstDistances around_;
-  SmoothingOptions smoothing_;
   std::priority_queue<Candidate> queue_;
   ReduceReport report_;
-  Cancellation last_;            // of make()
-  AffectedRegion affected_;      // of make()
-  std::vector<double> values_;   // by vertex slot, of the mesh after the last cancellation
-  std::vector<bool> irregular_;  // likewise
+  std::size_t start_ = 0;  // the editor's mark at the start
+  std::vector<Made> made_;
+  Cancellation last_;          // of make()
+  AffectedRegion affected_;    // of the last fit
+  std::vector<Value> values_;  // by vertex slot, of the mesh after the last cancellation
 };
 
 }  // namespace

@@ -1,19 +1,27 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
 // Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its
-// neighbourhood is smoothed. A candidate is a pair of near vertices of opposite index, with the nearest irregular
-// vertices as helpers. The cost of a candidate is measured by making it, smoothing included, and rolling it back. Costs
-// are kept in a priority queue. After each cancellation, only the candidates round the vertices that moved are made
-// anew. A candidate whose neighbourhood may have changed is measured again when its turn comes.
+// neighbourhood is fitted to the input (geometry/fitting.hpp), after each of its transports and in the end. A candidate
+// is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. Its cost is measured by
+// making it, without a fit, and rolling it back. Costs are kept in a priority queue. After each cancellation, only the
+// candidates round the vertices that it changed are added anew. A candidate is measured again when its turn comes, if
+// something was cancelled since.
+//
+// A correspondence (geometry/correspondence.hpp) is kept from the first edit on. So the mesh stretches over the ears
+// and legs of the input however few quads are left of them.
 //
 // Law irregular-31. After every cancellation the mesh is valid, and every cut edge (sectors.hpp) is in its place.
 // Law irregular-32. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the reduction
 //         ends, at the latest when the excesses of each patch have one sign. Discrete Gauss-Bonnet leaves nothing to
 //         cancel there: without features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
 // Law irregular-33. The result depends on nothing but the mesh and the options.
+// Law irregular-34. If nothing is cancelled, nothing changes, unless a fit of all vertices was asked for. Whatever was
+//         not within some rings of an edit keeps its positions to the last bit.
+// Law irregular-35. The number of inverted faces does not grow, unless that is allowed. The hausdorff_distance() from
+//         the input is at most max_deviation. A cancellation that would break one of these is not made.
 //
-// Costs: for each candidate, the length of its transports and the area that is smoothed. Only the start depends on the
-// size of the mesh.
+// Costs: for each candidate, the length of its transports and the area that is fitted. Only the start and the end
+// depend on the size of the mesh.
 #pragma once
 
 #include <functional>
@@ -21,29 +29,25 @@
 #include <string>
 #include <vector>
 
-#include "mesh/geometry/nearest_points.hpp"
-#include "mesh/geometry/smoothing.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 
 namespace requad::mesh {
 
-// What a candidate costs: a sum over what the cancellation changed, after minus before.
+// What a candidate costs.
 enum class ReduceCost {
-  curvature,  // |discrete mean curvature| of the vertices: the paper's
-  shape       // (1 - scaled Jacobian) * area of the faces
+  curvature,  // how much the sum of |discrete mean curvature| over the vertices grows: the paper's
+  fit         // the samples of the input whose face is removed, a quarter each, and 0.3 for each operation
 };
 
 struct ReduceOptions {
   int until = 0;  // stop at so many irregular vertices
-  ReduceCost cost = ReduceCost::shape;
-  // The largest distance allowed of a changed face's centre from the surface, in units of length. Negative: no bound.
-  // Needs a surface.
+  ReduceCost cost = ReduceCost::fit;
+  // The largest hausdorff_distance() from the input that is allowed in the end, in units of length. Negative: no bound.
   double max_deviation = -1;
-  const SurfaceIndex* surface =
-      nullptr;                   // the input: positions are projected onto it, and deviation is measured from it
-  int smoothing_iterations = 4;  // after each cancellation, over what changed and two rings more
-  // Over the whole mesh, in the end. Untangling follows, unless this is 0 or max_deviation is given.
-  int final_iterations = 30;
+  int sweeps = 3;             // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
+  int final_rounds = 20;      // of the fit in the end, of all that was touched
+  bool fit_all = false;       // the fit in the end moves all vertices, even if nothing was cancelled
+  bool allow_inverted = false;
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 
@@ -57,10 +61,12 @@ struct ReduceReport {
   int measured = 0;                 // cancellations made to measure their cost
   bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
-  int too_far = 0;                  // of these, cancellations that max_deviation refused
+  int folded = 0;                   // cancellations refused because a quad would be inverted
+  int too_far = 0;                  // cancellations refused, or taken back, because of max_deviation
 };
 
-// Precondition: the editor has positions. Throws std::invalid_argument for a max_deviation without a surface.
+// Precondition: the editor has positions, and nothing was done with it yet, or was forgotten. It keeps a correspondence
+// that ends with this call.
 ReduceReport reduce(Editor& editor, const ReduceOptions& options);
 
 }  // namespace requad::mesh

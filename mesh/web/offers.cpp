@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <span>
 
-#include "mesh/editing/affected_region.hpp"
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/irregular/possible_moves.hpp"
@@ -104,7 +103,8 @@ void Session::offer_complementary(VertexId a, VertexId b) {
     const auto [three, five] = sign_a < 0 ? std::pair(a, b) : std::pair(b, a);
     mesh::PairTransport transport(editor_);
     const auto helpers = mesh::usual_helpers(editor_, distances_, three, five);
-    const mesh::Cancellation result = mesh::cancel_pair(editor_, transport, three, five, helpers);
+    const mesh::Cancellation result = mesh::cancel_pair(editor_, transport, three, five, helpers,
+                                                        [this](std::size_t made) { shape_.fit_transport(made); });
     Offer offer;
     offer.name = "cancel";
     offer.why = words(result.refusal, result.obstacles);
@@ -233,7 +233,7 @@ std::string Session::perform(const Selection& selection, const std::string& name
   const std::string done = words_for(selection, name);
   const std::size_t begin = editor_.mark();
   for (const Edit& edit : offered_edits_[static_cast<std::size_t>(offer - all.list.begin())]) editor_.redo(edit);
-  mesh::smooth_since(editor_, distances_, begin, mesh::kUsualSmoothing, surface_);
+  shape_.fit_since(begin);
   steps_.push_back({done, begin, editor_.mark()});
   undone_steps_.clear();
   undone_edits_.clear();

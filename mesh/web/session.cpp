@@ -31,8 +31,7 @@ Session::Session(mesh::Surface input)
       mesh_(input_.mesh),
       positions_(input_.positions),
       editor_(mesh_, &features_, &positions_, &plan_),
-      surface_(input_.mesh, input_.positions) {
-  editor_.restore_fans(true);
+      shape_(editor_) {
   const mesh::FeatureEdges seams = mesh::texture_seams(input_);
   if (!mesh::has_texture_by_faces(input_, seams)) {
     for (const auto& [a, b] : seams) features_.insert(a, b);

@@ -4,7 +4,7 @@
 // Terms
 //   selection   what the user has chosen: a vertex, a pair of vertices, an edge or a quad.
 //   offer       an edit of the selection, by its name, with its effect; or with the reason why it is refused.
-//   step        an edit that was made, with the smoothing around it. undo() undoes one step.
+//   step        an edit that was made, with the fit around it. undo() undoes one step.
 //   number      of a vertex: the one that it has in the file of the present mesh, counted from 1, as requad-edit counts.
 //
 // Laws
@@ -30,8 +30,8 @@
 #include <vector>
 
 #include "mesh/editing/editor.hpp"
+#include "mesh/editing/shape_keeper.hpp"
 #include "mesh/files/surface.hpp"
-#include "mesh/geometry/nearest_points.hpp"
 #include "mesh/topology/distances.hpp"
 
 namespace requad::web {
@@ -181,7 +181,7 @@ class Session {
   mesh::FeatureSet features_;
   mesh::SectorPlan plan_;
   mesh::Editor editor_;
-  mesh::SurfaceIndex surface_;  // of the input, for projections
+  mesh::ShapeKeeper shape_;
   mesh::BreadthFirstDistances distances_;
   int boundary_loops_ = 0;
   int genus_ = 0;

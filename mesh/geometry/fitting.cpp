@@ -1,0 +1,303 @@
+#include "mesh/geometry/fitting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+#include "mesh/geometry/quad_shape.hpp"
+
+namespace requad::mesh {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int kMostHalvings = 5;  // of a step, until the energy falls
+
+IdealQuad ideal_of(const QuadCorners& c, FaceId f, const Correspondence& homes, const SurfaceIndex& surface) {
+  IdealQuad result;
+  double weight = 0;
+  homes.for_each_sample(f, [&](std::size_t i) {
+    const Correspondence::Sample& sample = homes.sample(i);
+    result.normal += sample.weight * sample.normal;
+    result.area += sample.weight * sample.area;
+    weight += sample.weight;
+  });
+  const double length = result.normal.norm();
+  if (weight > 0) result.area /= weight;
+  if (length > 0.2 * weight) {
+    result.normal /= length;
+  } else {
+    const FaceId near = surface.nearest((c[0] + c[1] + c[2] + c[3]) / 4).face;
+    result.normal = homes.surface_normal(near);
+    if (weight == 0) result.area = homes.surface_area(near);
+  }
+  return result;
+}
+
+QuadCorners corners_of(const QuadMesh& m, const Positions& positions, FaceId f) {
+  const auto at = [&](int k) { return positions[m.origin(QuadMesh::half_edge(f, k)).slot()]; };
+  return {at(0), at(1), at(2), at(3)};
+}
+
+// The squared distance of a residual, with its derivatives by the residual; the second ones without a negative part.
+struct Distance {
+  double energy;
+  Vector3d gradient;
+  Matrix3d hessian;
+};
+double distance_energy(const Vector3d& r, const Vector3d& normal, double along, double tolerance2) {
+  const double squared = r.squaredNorm(), across = normal.dot(r);
+  return (along * squared + (1 - along) * across * across) * (1 + squared / (2 * tolerance2));
+}
+Distance distance(const Vector3d& r, const Vector3d& normal, double along, double tolerance2) {
+  const double squared = r.squaredNorm(), across = normal.dot(r);
+  const double quadratic = along * squared + (1 - along) * across * across;
+  const double factor = 1 + squared / (2 * tolerance2);
+  const Vector3d slope = 2 * (along * r + ((1 - along) * across) * normal);
+  Distance result{quadratic * factor, factor * slope + quadratic / tolerance2 * r, Matrix3d::Zero()};
+  result.hessian.diagonal().array() = 2 * factor * along + quadratic / tolerance2;
+  result.hessian += (2 * factor * (1 - along)) * normal * normal.transpose();
+  result.hessian += (4 * along / tolerance2) * r * r.transpose();
+  return result;
+}
+
+class Fitter {
+ public:
+  Fitter(const QuadMesh& mesh, Positions& positions, std::span<const VertexId> vertices, Correspondence& homes,
+         const SurfaceIndex& surface, const FitOptions& options)
+      : m_(mesh), positions_(positions), homes_(homes), surface_(surface), options_(options) {
+    for (const VertexId v : vertices) {
+      m_.for_each_out(v, [&](HalfEdgeId h) { faces_.push_back(QuadMesh::face(h)); });
+      if (!m_.is_boundary(v) && !(options.fixed && options.fixed(v))) vertices_.push_back(v);
+    }
+    std::sort(faces_.begin(), faces_.end());
+    faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
+    ideals_.resize(static_cast<std::size_t>(m_.face_capacity()));
+  }
+
+  void run() {
+    for (int round = 0; round < options_.rounds; ++round) {
+      homes_.settle(m_, positions_, faces_);
+      look();
+      if (options_.joint) step_jointly();
+      for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+        for (std::size_t i = 0; i < vertices_.size(); ++i) step(i);
+      }
+    }
+    homes_.settle(m_, positions_, faces_);
+  }
+
+ private:
+  struct Around {
+    FaceId f;
+    std::size_t k = 0;  // the vertex's corner
+    QuadCorners corners;
+  };
+  struct Pulled {  // a sample whose home moves with the vertex
+    const Correspondence::Sample* sample;
+    double weight;
+    Vector3d residual;
+  };
+  struct Foot {  // the nearest point of the surface
+    Vector3d point;
+    Vector3d normal;
+  };
+
+  // Finds what a round needs of the surface.
+  void look() {
+    for (const FaceId f : faces_) ideals_[f.slot()] = ideal_of(corners_of(m_, positions_, f), f, homes_, surface_);
+    feet_.clear();
+    for (const VertexId v : vertices_) {
+      const SurfaceIndex::Nearest nearest = surface_.nearest(positions_[v.slot()]);
+      feet_.push_back({nearest.point, homes_.surface_normal(nearest.face)});
+    }
+  }
+
+  double foot_weight() const { return 0.25 * homes_.mean_weight(); }
+  static constexpr double kFootAlong = 0.01;
+  double foot_energy(std::size_t i, const Vector3d& at) const {
+    return foot_weight() * distance_energy(at - feet_[i].point, feet_[i].normal, kFootAlong, tolerance2_);
+  }
+
+  // E(f), with the ideal that was looked up.
+  double energy(FaceId f, const QuadCorners& corners) const {
+    double sum = options_.quality / 4 * shape_energy(corners, ideals_[f.slot()]);
+    homes_.for_each_sample(f, [&](std::size_t s) {
+      const Correspondence::Sample& sample = homes_.sample(s);
+      sum += sample.weight * distance_energy(residual(s, corners), sample.normal, sample.along, tolerance2_);
+    });
+    return sum;
+  }
+  Vector3d residual(std::size_t s, const QuadCorners& corners) const {
+    Vector3d r = -homes_.sample(s).point;
+    for (std::size_t k = 0; k < 4; ++k) r += homes_.home(s).weights[k] * corners[k];
+    return r;
+  }
+
+  // One vertex alone.
+  void step(std::size_t i) {
+    const VertexId v = vertices_[i];
+    Vector3d& at = positions_[v.slot()];
+    around_.clear();
+    m_.for_each_out(v, [&](HalfEdgeId h) {
+      const FaceId f = QuadMesh::face(h);
+      around_.push_back({f, static_cast<std::size_t>(h.index() & 3), corners_of(m_, positions_, f)});
+    });
+    CornerDerivatives sums;
+    const Distance off = distance(at - feet_[i].point, feet_[i].normal, kFootAlong, tolerance2_);
+    sums.gradient = foot_weight() * off.gradient;
+    sums.hessian = foot_weight() * off.hessian;
+    double before = foot_weight() * off.energy;
+    pulled_.clear();
+    for (const Around& face : around_) {
+      homes_.for_each_sample(face.f, [&](std::size_t s) {
+        const double w = homes_.home(s).weights[face.k];
+        if (w == 0) return;
+        const Correspondence::Sample& sample = homes_.sample(s);
+        const Vector3d r = residual(s, face.corners);
+        pulled_.push_back({&sample, w, r});
+        const Distance d = distance(r, sample.normal, sample.along, tolerance2_);
+        before += sample.weight * d.energy;
+        sums.gradient += (sample.weight * w) * d.gradient;
+        sums.hessian += (sample.weight * w * w) * d.hessian;
+      });
+      const double factor = options_.quality / 4;
+      before += factor * shape_energy(face.corners, ideals_[face.f.slot()]);
+      add_shape(face.corners, face.k, ideals_[face.f.slot()], factor, sums);
+    }
+    const Vector3d newton = -sums.hessian.ldlt().solve(sums.gradient);
+    if (!newton.allFinite()) return;
+    double length = 1;
+    for (int attempt = 0; attempt <= kMostHalvings; ++attempt, length /= 2) {
+      const Vector3d step = length * newton;
+      double after = foot_energy(i, at + step);
+      for (const Pulled& p : pulled_) {
+        after += p.sample->weight *
+                 distance_energy(p.residual + p.weight * step, p.sample->normal, p.sample->along, tolerance2_);
+      }
+      for (Around& face : around_) {
+        face.corners[face.k] = at + step;
+        after += options_.quality / 4 * shape_energy(face.corners, ideals_[face.f.slot()]);
+      }
+      if (!(after < before)) continue;
+      at += step;
+      return;
+    }
+  }
+
+  // All vertices at once.
+  void step_jointly() {
+    if (vertices_.empty()) return;
+    if (unknowns_.empty()) {
+      unknowns_.assign(static_cast<std::size_t>(m_.vertex_capacity()), -1);
+      for (std::size_t i = 0; i < vertices_.size(); ++i) unknowns_[vertices_[i].slot()] = static_cast<int>(i);
+    }
+    const auto size = static_cast<Eigen::Index>(3 * vertices_.size());
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
+    entries_.clear();
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const Vector3d r = positions_[vertices_[i].slot()] - feet_[i].point;
+      const Distance off = distance(r, feet_[i].normal, kFootAlong, tolerance2_);
+      const auto row = static_cast<int>(3 * i);
+      gradient.segment<3>(row) += foot_weight() * off.gradient;
+      add_block(row, row, foot_weight() * off.hessian);
+    }
+    double before = 0;
+    for (const FaceId f : faces_) before += add_face(f, gradient);
+    for (std::size_t i = 0; i < vertices_.size(); ++i) before += foot_energy(i, positions_[vertices_[i].slot()]);
+    Eigen::SparseMatrix<double> hessian(size, size);
+    hessian.setFromTriplets(entries_.begin(), entries_.end());
+    if (!analyzed_) solver_.analyzePattern(hessian);
+    analyzed_ = true;
+    solver_.factorize(hessian);
+    if (solver_.info() != Eigen::Success) return;
+    const Eigen::VectorXd newton = -solver_.solve(gradient);
+    if (!newton.allFinite()) return;
+    const Positions from = positions_;
+    double length = 1;
+    for (int attempt = 0; attempt <= kMostHalvings; ++attempt, length /= 2) {
+      double after = 0;
+      for (std::size_t i = 0; i < vertices_.size(); ++i) {
+        Vector3d& at = positions_[vertices_[i].slot()];
+        at = from[vertices_[i].slot()] + length * newton.segment<3>(static_cast<Eigen::Index>(3 * i));
+        after += foot_energy(i, at);
+      }
+      for (const FaceId f : faces_) after += energy(f, corners_of(m_, positions_, f));
+      if (after < before) return;
+    }
+    positions_ = from;
+  }
+  // Adds the derivatives of E(f), and returns E(f).
+  double add_face(FaceId f, Eigen::VectorXd& gradient) {
+    const QuadCorners corners = corners_of(m_, positions_, f);
+    QuadDerivatives sums;
+    add_shape(corners, ideals_[f.slot()], options_.quality / 4, sums);
+    double sum = options_.quality / 4 * shape_energy(corners, ideals_[f.slot()]);
+    homes_.for_each_sample(f, [&](std::size_t s) {
+      const Correspondence::Sample& sample = homes_.sample(s);
+      const std::array<double, 4>& weights = homes_.home(s).weights;
+      const Distance d = distance(residual(s, corners), sample.normal, sample.along, tolerance2_);
+      sum += sample.weight * d.energy;
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (weights[i] == 0) continue;
+        const auto row = static_cast<Eigen::Index>(3 * i);
+        sums.gradient.segment<3>(row) += (sample.weight * weights[i]) * d.gradient;
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (weights[k] == 0) continue;
+          sums.hessian.block<3, 3>(row, static_cast<Eigen::Index>(3 * k)) +=
+              (sample.weight * weights[i] * weights[k]) * d.hessian;
+        }
+      }
+    });
+    for (int i = 0; i < 4; ++i) {
+      const int row = unknowns_[m_.origin(QuadMesh::half_edge(f, i)).slot()];
+      if (row < 0) continue;
+      gradient.segment<3>(3 * row) += sums.gradient.segment<3>(3 * i);
+      for (int k = 0; k < 4; ++k) {
+        const int column = unknowns_[m_.origin(QuadMesh::half_edge(f, k)).slot()];
+        if (column >= 0 && column <= row) add_block(3 * row, 3 * column, sums.hessian.block<3, 3>(3 * i, 3 * k));
+      }
+    }
+    return sum;
+  }
+  // Below the diagonal, which is all that the solver reads.
+  void add_block(int row, int column, const Matrix3d& block) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        if (row + i >= column + k) entries_.emplace_back(row + i, column + k, block(i, k));
+      }
+    }
+  }
+
+  const QuadMesh& m_;
+  Positions& positions_;
+  Correspondence& homes_;
+  const SurfaceIndex& surface_;
+  const FitOptions& options_;
+  double tolerance2_ = options_.tolerance * options_.tolerance;
+  std::vector<VertexId> vertices_;  // those that may move
+  std::vector<FaceId> faces_;       // round all that were given
+  std::vector<IdealQuad> ideals_;   // by face slot
+  std::vector<Foot> feet_;          // of vertices_
+  std::vector<Around> around_;      // of one vertex
+  std::vector<Pulled> pulled_;
+  std::vector<int> unknowns_;  // by vertex slot, its place in vertices_ or -1
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  bool analyzed_ = false;
+};
+
+}  // namespace
+
+void fit(const QuadMesh& m, Positions& positions, std::span<const VertexId> vertices, Correspondence& homes,
+         const SurfaceIndex& surface, const FitOptions& options) {
+  Fitter(m, positions, vertices, homes, surface, options).run();
+}
+
+}  // namespace requad::mesh
