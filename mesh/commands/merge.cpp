@@ -10,9 +10,11 @@ program::Command merge_command() {
       .name = "merge",
       .usage = {"IN A B -o OUT"},
       .summary = "merges a 3-3 pair into a v2, or a 5-5 pair into a v6",
-      .text = "The distance of A and B must be even.\n",
-      .examples = {"requad-enumerate region digon 2 2 3,3 -o digon.obj && "
-                   "requad-edit merge digon.obj 1 9 -o merged.obj"},
+      .text = R"(The distance of A and B must be even. In a flat part of a mesh, one of the two
+quads of a v2 is inverted: for a 3-3 pair say --allow-inverted there.
+)",
+      .examples = {"requad-enumerate region hexagon 1 1 1,1,1,1,1,1 -o hexagon.obj && "
+                   "requad-edit merge hexagon.obj 1 4 -o merged.obj"},
       .options = editing_options({allow_inverted_option()}),
       .words = {3, 3},
       .files = {0},

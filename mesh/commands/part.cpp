@@ -37,8 +37,8 @@ program::Command part_command() {
       .text = R"(Without V, all such vertices are parted until none is left. With V, one
 operation is made at V.
 )",
-      .examples = {"requad-enumerate region digon 2 2 3,3 -o digon.obj && "
-                   "requad-edit merge digon.obj 1 9 -o merged.obj && requad-edit part merged.obj -o parted.obj"},
+      .examples = {"requad-enumerate region hexagon 1 1 1,1,1,1,1,1 -o hexagon.obj && "
+                   "requad-edit merge hexagon.obj 1 4 -o merged.obj && requad-edit part merged.obj -o parted.obj"},
       .options = editing_options(),
       .words = {1, 2},
       .files = {0},

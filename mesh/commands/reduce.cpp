@@ -24,7 +24,8 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     return "nothing of opposite index is left within a patch of the surface: there the sum of 4 - l(v) is fixed "
            "(discrete Gauss-Bonnet)";
   if (report.after <= until) return "--until is reached";
-  std::string text = "what is left cannot be cancelled here";
+  std::string text = report.lost_patience ? "the last attempts failed (--patience tries more)"
+                                          : "what is left cannot be cancelled here";
   for (const auto& [refusal, count] : report.refusals)
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
@@ -45,6 +46,7 @@ int reduce(const Options& options) {
   how.sweeps = static_cast<int>(options.integer("smooth", how.sweeps, 0, 100'000));
   how.final_rounds = static_cast<int>(options.integer("final-smooth", how.final_rounds, 0, 100'000));
   how.fit_all = options.has("final-smooth");
+  how.patience = static_cast<int>(options.integer("patience", how.patience, 0, 1'000'000));
   how.allow_inverted = options.has("allow-inverted");
 
   Session session(options, "reduce");
@@ -115,6 +117,9 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
           program::value("final-smooth", "N",
                          "fit all that was edited in N rounds at the end (default 20); if N is given, fit\n"
                          "the whole mesh, whatever was edited"),
+          program::value("patience", "N",
+                         "end when N cancellations in a row turn out to be impossible without losing the shape\n"
+                         "or inverting quads (default 16; 0: try them all)"),
           allow_inverted_option(),
       }),
       .words = {1, 1},

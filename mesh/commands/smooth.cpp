@@ -143,7 +143,8 @@ program::Command smooth_command() {
       .usage = {"IN -o OUT"},
       .summary = "smooths the mesh (Laplacian smoothing)",
       .text = R"(Vertices on the boundary and on features stay. A step that would invert a quad
-is not taken. Laplacian smoothing shrinks what is round; --project keeps the shape.
+is not taken. Laplacian smoothing shrinks what is round; --project keeps the
+shape.
 )",
       .examples = {"requad-edit smooth mesh/examples/figure-16.obj --project -o smooth.obj",
                    "requad-edit smooth mesh/examples/figure-17.obj --feature-angle 40 --weights chord -o smooth.obj"},

@@ -35,8 +35,8 @@ class Correspondence {
     Eigen::Vector3d point;
     Eigen::Vector3d normal;  // of the surface, the mean where faces meet; zero if they have none
     double area;             // the mean area of the faces of the surface there
-    double along;            // in 0..1, what a distance along the surface counts for, squared: 1 at tips and sharp edges
-    double weight;           // 1 / squared length, so that the weighted square of a residual is a number
+    double along;   // in 0..1, what a distance along the surface counts for, squared: 1 at tips and sharp edges
+    double weight;  // 1 / squared length, so that the weighted square of a residual is a number
   };
   struct Home {
     FaceId face;

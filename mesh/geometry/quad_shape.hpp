@@ -40,7 +40,8 @@ struct QuadDerivatives {
   Eigen::Matrix<double, 12, 12> hessian = Eigen::Matrix<double, 12, 12>::Zero();
 };
 // Adds factor times the derivatives. k: the corner, in 0..3.
-void add_shape(const QuadCorners& corners, std::size_t k, const IdealQuad& ideal, double factor, CornerDerivatives& sums);
+void add_shape(const QuadCorners& corners, std::size_t k, const IdealQuad& ideal, double factor,
+               CornerDerivatives& sums);
 void add_shape(const QuadCorners& corners, const IdealQuad& ideal, double factor, QuadDerivatives& sums);
 
 }  // namespace requad::mesh

@@ -133,9 +133,14 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
   } else {
     const std::size_t start = editor.mark();
     for (const CancellationOrder order : kCancellationOrders) {
-      result = cancel_in_order(editor, transport, three, five, helpers, order, after_transport);
-      if (result.refusal == Refusal::none) break;
+      result = cancel_in_order(editor, transport, three, five, helpers, order, {});
+      const bool made = result.refusal == Refusal::none;
+      if (made && !after_transport) break;
       editor.roll_back(start);
+      if (!made) continue;
+      // The caller may take its time over each transport, so it is shown only those of an order that gets through.
+      result = cancel_in_order(editor, transport, three, five, helpers, order, after_transport);
+      break;
     }
   }
   return result;

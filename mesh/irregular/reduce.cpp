@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <optional>
 #include <queue>
 #include <span>
@@ -32,9 +34,11 @@ constexpr int kLongTransport = 8;        // edits
 constexpr Reach kOnTheWay{2, 1, false};  // after each transport of a cancellation, so that nothing is lost
 constexpr Reach kAfterLongTransport{4, 3, true};
 constexpr Reach kWhenMade{4, 3, false};
-constexpr Reach kRescue{12, 8, true};   // if a quad is inverted or too far away then
+constexpr Reach kRescue{12, 2, true};  // again and again if a quad is inverted or too far away then
+constexpr int kRescueParts = 4;
+constexpr double kHopeless = 1.5;       // how_far_from_acceptable()
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
-// The fit in the end: good quads as far as the bound allows; without a bound, the surface comes first.
+// The fit in the end: good quads as far as the bound allows.
 constexpr std::array<double, 3> kFinalQualities{10 * kQualityWeight, 4 * kQualityWeight, kQualityWeight};
 
 struct Candidate {
@@ -45,6 +49,13 @@ struct Candidate {
   bool operator<(const Candidate& o) const {  // for a heap: the cheapest first, then by ids
     return std::tie(cost, three, five) > std::tie(o.cost, o.three, o.five);
   }
+};
+
+// A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
+struct Failure {
+  int stage;
+  bool folded;  // more quads were inverted; it led too far otherwise
+  std::vector<VertexId> where;
 };
 
 // What a cancellation that was made adds to the report.
@@ -67,7 +78,8 @@ class Reducer {
         surface_(m_, input_positions_) {
     editor.keep(&homes_);
     const double avoided = 0.005 * bounding_box_diagonal(m_, input_positions_);
-    fitting_.tolerance = options.max_deviation > 0 ? std::min(avoided, options.max_deviation / 2) : avoided;
+    bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
+    fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
     fitting_.sweeps = std::max(options.sweeps, 1);
   }
 
@@ -79,24 +91,12 @@ class Reducer {
     start_ = editor_.mark();
     report_.before = count_irregular();
     report_.after = report_.before;
-    for (bool progress = true; progress && report_.after > options_.until;) {
-      // Where nothing can be cancelled, parting would only make more irregular vertices.
-      if (!editor_.sectors().is_minimal()) part();
-      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
-      report_.after = 0;
-      for (const VertexId v : m_.vertices()) remember(v);
-      // Everything is tried again as long as something succeeds: what was refused once may have become possible.
-      progress = false;
-      report_.refusals.clear();
-      report_.too_far = 0;
-      report_.folded = 0;
-      queue_ = {};
-      for (const VertexId v : m_.vertices()) add_candidates(v);
-      while (!queue_.empty() && report_.after > options_.until) {
-        if (!take_cheapest()) continue;
-        progress = true;
-        if (options_.progress) options_.progress(report_.after);
-      }
+    cancel_all();
+    if (options_.max_deviation < 0 && report_.after > options_.until && report_.too_far > 0) {
+      bound_ = std::numeric_limits<double>::infinity();
+      std::erase_if(failures_, [](const auto& known) { return !known.second.folded; });
+      failures_in_a_row_ = 0;
+      cancel_all();
     }
     finish();
     keep_bound();
@@ -106,6 +106,7 @@ class Reducer {
       report_.transports += made.transports;
       report_.operations += made.operations;
     }
+    report_.lost_patience = lost_patience();
     report_.minimal = editor_.sectors().is_minimal();
     return report_;
   }
@@ -133,6 +134,35 @@ class Reducer {
         all.begin(), all.end(), [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
   }
 
+  // Makes one cancellation after the other, as long as one succeeds.
+  void cancel_all() {
+    for (bool progress = true; progress && goes_on();) {
+      // Where nothing can be cancelled, parting would only make more irregular vertices.
+      if (!editor_.sectors().is_minimal()) part();
+      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
+      report_.after = 0;
+      for (const VertexId v : m_.vertices()) remember(v);
+      // Everything is tried again as long as something succeeds: what was refused once may have become possible.
+      progress = false;
+      report_.refusals.clear();
+      queue_ = {};
+      for (const VertexId v : m_.vertices()) add_candidates(v);
+      while (!queue_.empty() && goes_on()) {
+        if (!take_cheapest()) continue;
+        progress = true;
+        if (options_.progress) options_.progress(report_.after);
+      }
+    }
+    report_.too_far = 0;
+    report_.folded = 0;
+    for (const auto& [pair, failure] : failures_) {
+      if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
+        ++(failure.folded ? report_.folded : report_.too_far);
+    }
+  }
+  bool goes_on() const { return report_.after > options_.until && !lost_patience(); }
+  bool lost_patience() const { return options_.patience > 0 && failures_in_a_row_ >= options_.patience; }
+
   void part() {
     const std::size_t start = editor_.mark();
     const int inverted = count_inverted();
@@ -153,11 +183,14 @@ class Reducer {
       report_.parted = 0;
     }
     if (options_.final_rounds == 0 || (made_.empty() && !options_.fit_all)) return;
-    // Good quads as far as the bound allows; without a bound, the surface comes first.
-    const std::span<const double> qualities = std::span(kFinalQualities).subspan(options_.max_deviation < 0 ? 2 : 0);
-    for (const double quality : qualities) {
-      if (fit_in_the_end(quality)) return;
-    }
+    const bool is_bounded = std::isfinite(bound_);
+    if (is_bounded && std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
+                                  [this](double quality) { return fit_in_the_end(quality); }))
+      return;
+    // Nobody asked for the bound, or there is none: the surface comes first.
+    if (options_.max_deviation >= 0) return;
+    bound_ = std::numeric_limits<double>::infinity();
+    fit_in_the_end(kQualityWeight);
   }
   // In some rounds at a time. What they make worse is taken back, up to the last ones that made nothing worse. Returns
   // whether there are such.
@@ -207,6 +240,7 @@ class Reducer {
   }
   // Takes back the last cancellations, and as many as it must, until the bound holds.
   void keep_bound() {
+    if (options_.max_deviation < 0) return;
     for (std::size_t number = 1; !made_.empty() && !is_within_bound(); number *= 2) {
       number = std::min(number, made_.size());
       report_.too_far += static_cast<int>(number);
@@ -215,7 +249,7 @@ class Reducer {
       finish();
     }
   }
-  bool is_within_bound() const { return options_.max_deviation < 0 || hausdorff() <= options_.max_deviation; }
+  bool is_within_bound() const { return !std::isfinite(bound_) || hausdorff() <= bound_; }
   double hausdorff() const { return hausdorff_distance({m_, positions()}, {input_, input_positions_}); }
 
   // Pairs of v with its nearest partners of opposite index.
@@ -231,9 +265,25 @@ class Reducer {
   }
   void add(VertexId three, VertexId five) {
     double cost = 0;
-    if (estimate(three, five, cost)) queue_.push({cost, three, five, stage()});
+    if (!would_fail(three, five) && estimate(three, five, cost)) queue_.push({cost, three, five, stage()});
   }
   int stage() const { return static_cast<int>(made_.size()); }
+
+  // Whether the pair was tried and nothing where it went has changed since.
+  bool would_fail(VertexId three, VertexId five) const {
+    const auto known = failures_.find({three, five});
+    if (known == failures_.end()) return false;
+    const auto is_old = [&](VertexId v) {
+      return v.slot() >= changed_at_.size() || changed_at_[v.slot()] <= known->second.stage;
+    };
+    return std::all_of(known->second.where.begin(), known->second.where.end(), is_old);
+  }
+  void remember_failure(VertexId three, VertexId five) {
+    std::vector<VertexId> where = affected_.near;
+    where.insert(where.end(), affected_.removed.begin(), affected_.removed.end());
+    failures_[{three, five}] = {stage(), is_inverted_more(), std::move(where)};
+    ++failures_in_a_row_;
+  }
 
   // Fits round the edits since the mark; what they affect is in affected_ then.
   void fit_since(std::size_t mark, const Reach& reach) {
@@ -244,6 +294,7 @@ class Reducer {
     FitOptions how = fitting_;
     how.rounds = reach.rounds;
     how.joint = reach.joint;
+    if (reach.joint) how.sweeps = std::min(how.sweeps, 1);  // the joint steps do the most
     how.quality = quality;
     editor_.fit(std::span(affected_.near).first(affected_.inner), surface_, how);
   }
@@ -306,7 +357,7 @@ class Reducer {
   bool is_acceptable() const { return !is_inverted_more() && !is_too_far(); }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
   // Samples are not all points, so a little less is allowed to them.
-  bool is_too_far() const { return options_.max_deviation >= 0 && deviation() > 0.9 * options_.max_deviation; }
+  bool is_too_far() const { return std::isfinite(bound_) && deviation() > 0.9 * bound_; }
   // The largest distance of the samples at home in the affected region from the mesh, and of points of the region from
   // the surface.
   double deviation() const {
@@ -350,7 +401,7 @@ class Reducer {
     while (!queue_.empty()) {
       Candidate c = queue_.top();
       queue_.pop();
-      if (!is_three(c.three) || !is_five(c.five)) continue;
+      if (!is_three(c.three) || !is_five(c.five) || would_fail(c.three, c.five)) continue;
       if (c.measured_at == stage()) return c;
       c.measured_at = stage();
       if (estimate(c.three, c.five, c.cost)) queue_.push(c);
@@ -364,27 +415,50 @@ class Reducer {
     const std::optional<Candidate> c = next_candidate();
     if (!c) return false;
     const std::size_t before = editor_.mark();
-    if (!make(c->three, c->five, true) || !fit_made(before)) {
+    if (!make(c->three, c->five, true)) return false;
+    if (!fit_made(before)) {
+      remember_failure(c->three, c->five);
       editor_.roll_back(before);
       return false;
     }
+    failures_in_a_row_ = 0;
     made_.push_back({before, last_.transports, last_.steps});
+    for (const std::vector<VertexId>* some : {&affected_.removed, &affected_.changed}) {
+      for (const VertexId v : *some) {
+        if (v.slot() >= changed_at_.size()) changed_at_.resize(v.slot() + 1);
+        changed_at_[v.slot()] = stage();
+      }
+    }
     for (const VertexId v : affected_.removed) remember(v);
     for (const VertexId v : affected_.near) remember(v);
     const std::vector<VertexId> changed = std::move(affected_.changed);
     for (const VertexId v : changed) add_candidates(v);
     return true;
   }
+  // Fits what was made until it is acceptable, or there seems to be no hope.
   bool fit_made(std::size_t before) {
-    for (const Reach& reach : {kWhenMade, kRescue}) {
-      fit_since(before, reach);
-      if (is_acceptable()) return true;
-      if (!is_inverted_more() || options_.sweeps == 0) continue;
-      straighten();
-      if (is_acceptable()) return true;
+    fit_since(before, kWhenMade);
+    if (is_acceptable() || is_acceptable_straightened()) return true;
+    double trouble = std::numeric_limits<double>::infinity();
+    for (int part = 0; part < kRescueParts && options_.sweeps > 0; ++part) {
+      fit_since(before, kRescue);
+      if (is_acceptable() || is_acceptable_straightened()) return true;
+      const double left = how_far_from_acceptable();
+      if (left > kHopeless || left > 0.95 * trouble) break;
+      trouble = left;
     }
-    ++(is_inverted_more() ? report_.folded : report_.too_far);
     return false;
+  }
+  bool is_acceptable_straightened() {
+    if (!is_inverted_more() || options_.sweeps == 0) return false;
+    straighten();
+    return is_acceptable();
+  }
+  // Too large a deviation, by how many bounds, and a tenth for each quad that is inverted.
+  double how_far_from_acceptable() const {
+    const double inverted = options_.allow_inverted ? 0 : std::max(0, change().inverted) / 4;
+    const double far = bound_ > 0 && std::isfinite(bound_) ? std::max(0.0, deviation() / bound_ - 0.9) : 0;
+    return far + inverted / 10;
   }
 
   Editor& editor_;
@@ -396,14 +470,18 @@ class Reducer {
   Correspondence homes_;
   SurfaceIndex surface_;
   FitOptions fitting_;
+  double bound_ = 0;  // that cancellations keep to: of the options; without it, the usual one, and infinity in the end
   BreadthFirstDistances around_;
   std::priority_queue<Candidate> queue_;
   ReduceReport report_;
   std::size_t start_ = 0;  // the editor's mark at the start
   std::vector<Made> made_;
-  Cancellation last_;          // of make()
-  AffectedRegion affected_;    // of the last fit
-  std::vector<Value> values_;  // by vertex slot, of the mesh after the last cancellation
+  std::map<std::pair<VertexId, VertexId>, Failure> failures_;
+  int failures_in_a_row_ = 0;
+  std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
+  Cancellation last_;            // of make()
+  AffectedRegion affected_;      // of the last fit
+  std::vector<Value> values_;    // by vertex slot, of the mesh after the last cancellation
 };
 
 }  // namespace

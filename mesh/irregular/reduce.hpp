@@ -43,10 +43,12 @@ struct ReduceOptions {
   int until = 0;  // stop at so many irregular vertices
   ReduceCost cost = ReduceCost::fit;
   // The largest hausdorff_distance() from the input that is allowed in the end, in units of length. Negative: no bound.
+  // Then what would lead further than 0.02 of the diagonal is left for the end.
   double max_deviation = -1;
-  int sweeps = 3;             // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
-  int final_rounds = 20;      // of the fit in the end, of all that was touched
-  bool fit_all = false;       // the fit in the end moves all vertices, even if nothing was cancelled
+  int patience = 16;      // ends after so many cancellations in a row that were not acceptable; 0: tries all
+  int sweeps = 3;         // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
+  int final_rounds = 20;  // of the fit in the end, of all that was touched
+  bool fit_all = false;   // the fit in the end moves all vertices, even if nothing was cancelled
   bool allow_inverted = false;
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
@@ -59,6 +61,7 @@ struct ReduceReport {
   int transports = 0;
   int operations = 0;
   int measured = 0;                 // cancellations made to measure their cost
+  bool lost_patience = false;       // ReduceOptions::patience
   bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
   int folded = 0;                   // cancellations refused because a quad would be inverted

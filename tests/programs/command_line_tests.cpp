@@ -38,7 +38,7 @@ const std::vector<FuzzedProgram>& fuzzed_programs() {
         {"moves", "in.obj", "153", "163"},
         {"move", "in.obj", "153", "163", "--step", "slide_first", "-o", "out.obj"},
         {"cancel", "in.obj", "153", "163", "-o", "out.obj"},
-        {"merge", "digon.obj", "1", "9", "-o", "out.obj"},
+        {"merge", "hexagon.obj", "1", "4", "-o", "out.obj"},
         {"align", "in.obj", "153", "366", "-o", "out.obj"},
         {"part", "in.obj", "-o", "out.obj"},
         {"reduce", "in.obj", "--until", "4", "--max-deviation", "0.01", "-o", "out.obj", "--script", "made.txt",
@@ -171,7 +171,7 @@ fs::path new_folder() {
     spill(folder / "in.obj", tests::slurp(REQUAD_SOURCE_DIR "/mesh/examples/figure-17.obj"));
     spill(folder / "triangles.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
     REQUIRE(tests::call("edit", "reduce pattern/in.obj -o pattern/less.obj --script pattern/edits.txt").code == 0);
-    REQUIRE(tests::call("enumerate", "region digon 2 2 3,3 -o pattern/digon.obj").code == 0);
+    REQUIRE(tests::call("enumerate", "region hexagon 1 1 1,1,1,1,1,1 -o pattern/hexagon.obj").code == 0);
     REQUIRE(tests::call("verify", "--claim T2 --digon 3..4 --certificate pattern/proof").code == 0);
     return folder;
   }();

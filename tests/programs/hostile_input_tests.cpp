@@ -241,7 +241,7 @@ TEST_CASE("if an output cannot be written, the old file stays", "[hostile]") {
     CHECK(slurp(scratch() / "old.obj") == "the old text");
   }
   refused(shell("ulimit -f 1; " + path_of("figures") + " --figure 10 --side 12 --format svg -o ."), before,
-          {"figure-10.svg", "too large"});
+          {"figure-10-side-12.svg", "too large"});
   // If one output has no room, the others are not written either, even if they are small: a script, or a small figure.
   spill(scratch() / "old.txt", "the old script");
   const auto with_script = files();
@@ -255,7 +255,7 @@ TEST_CASE("if an output cannot be written, the old file stays", "[hostile]") {
             .code == 0);
   CHECK(fs::file_size(scratch() / "short.txt") < 8192);
   refused(shell("ulimit -f 30; " + path_of("figures") + " --figure 10 --side 12 --format dot --format svg -o ."),
-          files(), {"figure-10.", "too large"});
+          files(), {"figure-10-side-12.", "too large"});
   // The output is a pipe with the name of a file.
   CHECK((shell(edit + "/dev/stdout --quiet | cat").out == shell(edit + "-").out));
   // A folder without the permission to write. Root may write anywhere, unless this right is taken away.
@@ -316,7 +316,8 @@ TEST_CASE("an interrupted run leaves the old file or the new one", "[hostile]") 
                   "KILL") > 0);
   CHECK(interrupt(path_of("verify") + " --claim T2 --digon 3..6 --json report.json >/dev/null", "report.json", "INT") >
         0);
-  CHECK(interrupt(path_of("figures") + " --figure 10 --side 10 --format svg -o .", "figure-10.svg", "KILL") > 0);
+  CHECK(interrupt(path_of("figures") + " --figure 10 --side 10 --format svg -o .", "figure-10-side-10.svg", "KILL") >
+        0);
 }
 
 TEST_CASE("the list of figures may go into their new folder, and figures may be named twice", "[hostile]") {

@@ -156,7 +156,7 @@ TEST_CASE("requad-edit align and merge print the d1 and d2 of the side-length eq
     CHECK(labels_of(region_in("aligned.obj"), sample.type).count(label) == 1);
     ++aligned;
     if ((c.d1() + c.d2()) % 2 != 0) continue;
-    const nlohmann::json merged = json_of("merge pair.obj" + pair + " --smooth 0 -o merged.obj");
+    const nlohmann::json merged = json_of("merge pair.obj" + pair + " --smooth 0 --allow-inverted -o merged.obj");
     CHECK(text_of(merged["d1"], merged["d2"]) == "(0,0)");
     CHECK(labels_of(region_in("merged.obj"), sample.type) == std::set<std::string>{"(0,0)"});
   }

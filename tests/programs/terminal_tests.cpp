@@ -50,7 +50,8 @@ TEST_CASE("standard input and standard output are called -, also through pipes",
   CHECK(shell("cat piped.obj | requad-edit info -").out == by_name);
   CHECK(shell("requad-edit info <(cat piped.obj)").out == by_name);
   CHECK(shell("requad-edit info /dev/stdin <piped.obj").out == by_name);
-  CHECK(shell("requad-enumerate region digon 2 2 3,3 -o - | requad-edit merge - 1 9 -o - | requad-edit part - -o - | "
+  CHECK(shell("requad-enumerate region hexagon 1 1 1,1,1,1,1,1 -o - | requad-edit merge - 1 4 -o - | requad-edit part "
+              "- -o - | "
               "requad-edit info - --json -")
             .code == 0);
   // OFF is known by its first word.
