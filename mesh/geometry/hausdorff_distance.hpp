@@ -12,14 +12,27 @@ struct SurfaceView {
   const Positions& positions;
 };
 
+constexpr int kUsualDensity = 4;
+
+// Calls visit(point) for each sample of a face: the points of its triangles with barycentric coordinates in multiples of
+// 1 / density, which are their corners, density - 1 points of each side, and some points inside.
+template <class Visit>
+void for_each_sample(const QuadMesh& mesh, const Positions& positions, FaceId f, int density, Visit&& visit) {
+  for (const Triangle& t : triangles(mesh, positions, f)) {
+    for (int i = 0; i <= density; ++i) {
+      for (int j = 0; i + j <= density; ++j)
+        visit(Eigen::Vector3d((i * t[0] + j * t[1] + (density - i - j) * t[2]) / density));
+    }
+  }
+}
+
 // An estimate from below of the Hausdorff distance: the largest distance of a point of either surface from the other,
-// over samples. The samples of a triangle are the points with barycentric coordinates in multiples of 1 / density,
-// which are its corners, density - 1 points of each side, and some points inside.
+// over the samples of all faces.
 //
 // Law geometry-2. The exact distance lies between the result and the result + (longest side of a triangle) /
 //                 (sqrt(3) * density), because distance is 1-Lipschitz and each point of a triangle is as close as that
 //                 to a sample.
 // O(F density^2) queries of a SurfaceIndex. Preconditions: both meshes have a face; density >= 1.
-double hausdorff_distance(SurfaceView a, SurfaceView b, int density = 4);
+double hausdorff_distance(SurfaceView a, SurfaceView b, int density = kUsualDensity);
 
 }  // namespace requad::mesh

@@ -36,6 +36,7 @@ constexpr Reach kAfterLongTransport{4, 3, true};
 constexpr Reach kWhenMade{4, 3, false};
 constexpr Reach kRescue{12, 2, true};  // again and again if a quad is inverted or too far away then
 constexpr int kRescueParts = 4;
+constexpr double kPart = 0.9;           // of the bound is what a cancellation may use: later ones need some, too
 constexpr double kHopeless = 1.5;       // how_far_from_acceptable()
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 // The fit in the end: good quads as far as the bound allows.
@@ -240,14 +241,14 @@ class Reducer {
   }
   // Takes back the last cancellations, and as many as it must, until the bound holds.
   void keep_bound() {
-    if (options_.max_deviation < 0) return;
-    for (std::size_t number = 1; !made_.empty() && !is_within_bound(); number *= 2) {
-      number = std::min(number, made_.size());
-      report_.too_far += static_cast<int>(number);
+    if (options_.max_deviation < 0 || is_within_bound()) return;
+    for (std::size_t step = 1; !made_.empty() && !is_within_bound(); ++step) {
+      const std::size_t number = std::min((step + 3) / 4, made_.size());
       editor_.roll_back(made_[made_.size() - number].start);
       made_.resize(made_.size() - number);
-      finish();
+      report_.too_far += static_cast<int>(number);
     }
+    finish();
   }
   bool is_within_bound() const { return !std::isfinite(bound_) || hausdorff() <= bound_; }
   double hausdorff() const { return hausdorff_distance({m_, positions()}, {input_, input_positions_}); }
@@ -356,22 +357,37 @@ class Reducer {
   // Whether the affected region is as good as it must be.
   bool is_acceptable() const { return !is_inverted_more() && !is_too_far(); }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
-  // Samples are not all points, so a little less is allowed to them.
-  bool is_too_far() const { return std::isfinite(bound_) && deviation() > 0.9 * bound_; }
-  // The largest distance of the samples at home in the affected region from the mesh, and of points of the region from
-  // the surface.
+  bool is_too_far() const {
+    return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
+  }
+  // The faces at the inner vertices of the affected region.
+  std::vector<FaceId> affected_faces() const {
+    std::vector<FaceId> faces;
+    for (const VertexId v : std::span(affected_.near).first(affected_.inner))
+      m_.for_each_out(v, [&faces](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+  // The largest distance in the affected region of samples from their homes, and of the corners and centres of faces
+  // from the surface.
   double deviation() const {
     double largest = 0;
-    for (const VertexId v : std::span(affected_.near).first(affected_.inner)) {
-      const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
-      look(positions()[v.slot()]);
-      m_.for_each_out(v, [&](HalfEdgeId h) {
-        const FaceId f = QuadMesh::face(h);
-        homes_.for_each_sample(
-            f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
-        if (m_.origin(QuadMesh::half_edge(f)) == v) look(face_centre(m_, positions(), f));
-        look((positions()[m_.origin(h).slot()] + positions()[m_.target(h).slot()]) / 2);
-      });
+    const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
+    for (const FaceId f : affected_faces()) {
+      homes_.for_each_sample(
+          f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
+      look(face_centre(m_, positions(), f));
+      for (const VertexId v : m_.corners(f)) look(positions()[v.slot()]);
+    }
+    return largest;
+  }
+  // One side of the Hausdorff distance: that of the affected faces from the surface, at all samples.
+  double distance_from_surface() const {
+    double largest = 0;
+    for (const FaceId f : affected_faces()) {
+      for_each_sample(m_, positions(), f, kUsualDensity,
+                      [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); });
     }
     return largest;
   }

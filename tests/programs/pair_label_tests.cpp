@@ -150,7 +150,7 @@ TEST_CASE("requad-edit align and merge print the d1 and d2 of the side-length eq
     spill(scratch() / "pair.obj", mesh::obj_text(enumerate::glue_region(sample.type, c)));
     INFO(sample.type.name() << " " << text_of(c.d1(), c.d2()));
     const std::string pair = pair_in(region_in("pair.obj"));
-    const nlohmann::json result = json_of("align pair.obj" + pair + " --smooth 0 -o aligned.obj");
+    const nlohmann::json result = json_of("align pair.obj" + pair + " --smooth 0 --allow-inverted -o aligned.obj");
     const std::string label = text_of(result["d1"], result["d2"]);
     INFO(label);
     CHECK(labels_of(region_in("aligned.obj"), sample.type).count(label) == 1);
