@@ -30,6 +30,9 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
     text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+  if (report.inward > 0)
+    text += "; " + counted(report.inward, "pair at the boundary would", "pairs at the boundary would") +
+            " make vertices inside irregular (see --boundary)";
   if (report.folded > 0)
     text += "; " + counted(report.folded, "pair would", "pairs would") +
             " leave more quads inverted (--allow-inverted cancels them nevertheless)";
@@ -81,6 +84,7 @@ int reduce(const Options& options) {
                        {"measured", report.measured},
                        {"too_far", report.too_far},
                        {"folded", report.folded},
+                       {"inward", report.inward},
                        {"minimal", report.minimal},
                        {"ended", why},
                        {"feature_edges", session.features().size()}},

@@ -24,6 +24,12 @@ std::vector<program::Option> editing_options(std::vector<program::Option> own) {
            program::output("map", "FILE",
                            "write where each vertex and face is now, as JSON; see `requad-edit apply --help`",
                            {{"json", {"json"}}}),
+           program::value("boundary", "angle|fixed|free",
+                          "how many quads a boundary vertex should have (default angle); with another number\n"
+                          "it counts as irregular\n"
+                          "  angle  one for each 90 degrees, rounded\n"
+                          "  fixed  as many as in IN\n"
+                          "  free   any number"),
            program::value("smooth", "N",
                           "fit what lies round the changes to the surface of IN, N times (default 4; reduce:\n3); 0 "
                           "leaves vertices where the operations place them"),
@@ -41,6 +47,13 @@ namespace {
 
 int count_inverted(const mesh::QuadMesh& mesh, const mesh::Positions& positions) {
   return mesh::diagnose(mesh, positions).inverted;
+}
+
+mesh::BoundaryPlan boundary_plan(const Options& options) {
+  const std::string word = options.choice("boundary", {"angle", "fixed", "free"}, "angle");
+  return word == "free"    ? mesh::BoundaryPlan::free
+         : word == "fixed" ? mesh::BoundaryPlan::fixed
+                           : mesh::BoundaryPlan::angle;
 }
 
 // The text of the map that --map asks for. Elements have their numbers in the files, counted from 1.
@@ -87,7 +100,7 @@ Session::Session(const Options& options, std::string command, mesh::Surface inpu
       for (const auto& [a, b] : edges) features_.insert(a, b);
     }
   }
-  plan_ = mesh::plan_by_angles(mesh_, features_, positions_);
+  plan_ = mesh::plan_by_angles(mesh_, features_, positions_, boundary_plan(options));
 }
 
 mesh::VertexId Session::vertex(const std::string& word) const {

@@ -78,12 +78,14 @@ bool Sectors::is_minimal() const {
   return true;
 }
 
-SectorPlan plan_by_angles(const QuadMesh& m, const FeatureSet& features, const Positions& positions) {
+SectorPlan plan_by_angles(const QuadMesh& m, const FeatureSet& features, const Positions& positions,
+                          BoundaryPlan boundary) {
   const Sectors sectors(m, &features);
   SectorPlan plan;
   for (const VertexId v : m.vertices()) {
-    if (!sectors.is_fixed(v)) continue;
+    if (!sectors.is_fixed(v) || (m.is_boundary(v) && boundary == BoundaryPlan::free)) continue;
     sectors.for_each_sector(v, [&](HalfEdgeId first) {
+      if (m.is_boundary(v) && boundary == BoundaryPlan::fixed) return plan.set(v, m.target(first), sectors.size(first));
       double angle = 0;
       HalfEdgeId h = first;
       do {

@@ -107,8 +107,16 @@ class Sectors {
   const SectorPlan* plan_;
 };
 
+// How many faces the sectors of boundary vertices should have.
+enum class BoundaryPlan {
+  angle,  // what angles ask for, as on features
+  free,   // any number: none of them has an excess
+  fixed   // as many as they have now
+};
+
 // The plan that angles ask for: a sector should have one face for each 90 degrees between its cut edges, measured along
-// the surface and rounded, and at least one. O(mesh).
-SectorPlan plan_by_angles(const QuadMesh& mesh, const FeatureSet& features, const Positions& positions);
+// the surface and rounded, and at least one. At boundary vertices another plan may hold. O(mesh).
+SectorPlan plan_by_angles(const QuadMesh& mesh, const FeatureSet& features, const Positions& positions,
+                          BoundaryPlan boundary = BoundaryPlan::angle);
 
 }  // namespace requad::mesh

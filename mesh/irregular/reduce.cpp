@@ -53,9 +53,10 @@ struct Candidate {
 };
 
 // A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
+enum class Reason { inward, folded, too_far };  // ReduceReport
 struct Failure {
   int stage;
-  bool folded;  // more quads were inverted; it led too far otherwise
+  Reason reason;
   std::vector<VertexId> where;
 };
 
@@ -95,7 +96,7 @@ class Reducer {
     cancel_all();
     if (options_.max_deviation < 0 && report_.after > options_.until && report_.too_far > 0) {
       bound_ = std::numeric_limits<double>::infinity();
-      std::erase_if(failures_, [](const auto& known) { return !known.second.folded; });
+      std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::too_far; });
       failures_in_a_row_ = 0;
       cancel_all();
     }
@@ -117,6 +118,7 @@ class Reducer {
   struct Value {
     double cost = 0;
     int inverted = 0;
+    int inside = 0;  // 1 if it is irregular and free
     bool irregular = false;
   };
 
@@ -156,9 +158,12 @@ class Reducer {
     }
     report_.too_far = 0;
     report_.folded = 0;
+    report_.inward = 0;
     for (const auto& [pair, failure] : failures_) {
       if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
-        ++(failure.folded ? report_.folded : report_.too_far);
+        ++(failure.reason == Reason::inward   ? report_.inward
+           : failure.reason == Reason::folded ? report_.folded
+                                              : report_.too_far);
     }
   }
   bool goes_on() const { return report_.after > options_.until && !lost_patience(); }
@@ -282,7 +287,7 @@ class Reducer {
   void remember_failure(VertexId three, VertexId five) {
     std::vector<VertexId> where = affected_.near;
     where.insert(where.end(), affected_.removed.begin(), affected_.removed.end());
-    failures_[{three, five}] = {stage(), is_inverted_more(), std::move(where)};
+    failures_[{three, five}] = {stage(), reason(), std::move(where)};
     ++failures_in_a_row_;
   }
 
@@ -343,11 +348,13 @@ class Reducer {
       if (v.slot() >= values_.size()) return;
       sum.cost -= values_[v.slot()].cost;
       sum.inverted -= values_[v.slot()].inverted;
+      sum.inside -= values_[v.slot()].inside;
     };
     for (const VertexId v : affected_.near) {
       const Value now = value(v);
       sum.cost += now.cost;
       sum.inverted += now.inverted;
+      sum.inside += now.inside;
       subtract(v);
     }
     for (const VertexId v : affected_.removed) subtract(v);
@@ -355,7 +362,11 @@ class Reducer {
   }
 
   // Whether the affected region is as good as it must be.
-  bool is_acceptable() const { return !is_inverted_more() && !is_too_far(); }
+  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_too_far(); }
+  bool leads_inward() const { return change().inside > 0; }
+  Reason reason() const {
+    return leads_inward() ? Reason::inward : is_inverted_more() ? Reason::folded : Reason::too_far;
+  }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
   bool is_too_far() const {
     return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
@@ -395,6 +406,7 @@ class Reducer {
   Value value(VertexId v) const {
     Value result;
     result.irregular = is_irregular(v);
+    result.inside = result.irregular && !editor_.is_fixed(v) ? 1 : 0;
     m_.for_each_out(v, [&](HalfEdgeId h) {
       const FaceId f = QuadMesh::face(h);
       result.inverted += is_inverted(scaled_jacobian(m_, positions(), f)) ? 1 : 0;
@@ -454,6 +466,7 @@ class Reducer {
   // Fits what was made until it is acceptable, or there seems to be no hope.
   bool fit_made(std::size_t before) {
     fit_since(before, kWhenMade);
+    if (leads_inward()) return false;
     if (is_acceptable() || is_acceptable_straightened()) return true;
     double trouble = std::numeric_limits<double>::infinity();
     for (int part = 0; part < kRescueParts && options_.sweeps > 0; ++part) {

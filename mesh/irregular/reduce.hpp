@@ -18,7 +18,8 @@
 // Law irregular-34. If nothing is cancelled, nothing changes, unless a fit of all vertices was asked for. Whatever was
 //         not within some rings of an edit keeps its positions to the last bit.
 // Law irregular-35. The number of inverted faces does not grow, unless that is allowed. The hausdorff_distance() from
-//         the input is at most max_deviation. A cancellation that would break one of these is not made.
+//         the input is at most max_deviation. No cancellation lets the number of free irregular vertices grow, so what
+//         is irregular at a boundary does not move inside. A cancellation that would break one of these is not made.
 //
 // Costs: for each candidate, the length of its transports and the area that is fitted. Only the start and the end
 // depend on the size of the mesh.
@@ -64,6 +65,8 @@ struct ReduceReport {
   bool lost_patience = false;       // ReduceOptions::patience
   bool minimal = false;             // no patch has vertices of opposite index (Sectors::is_minimal)
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
+  int inward = 0;                   // cancellations refused because more vertices off features and boundary would be
+                                    // irregular than before
   int folded = 0;                   // cancellations refused because a quad would be inverted
   int too_far = 0;                  // cancellations refused, or taken back, because of max_deviation
 };

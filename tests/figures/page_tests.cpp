@@ -257,7 +257,7 @@ TEST_CASE("TikZ: balanced, with every colour defined, a node for all words, and 
     std::istringstream lines(tex);
     for (std::string line; std::getline(lines, line);) {
       if (line.starts_with("\\path") || line.starts_with("\\node")) CHECK(line.back() == ';');
-      for (const unsigned char c : line) REQUIRE(c < 128);
+      for (const char c : line) REQUIRE(static_cast<unsigned char>(c) < 128);
     }
   }
   if (std::system("pdflatex --version >/dev/null 2>&1") != 0) {

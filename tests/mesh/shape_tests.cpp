@@ -275,6 +275,36 @@ TEST_CASE("a jagged boundary does not make a regular mesh worse", "[shape]") {
   CHECK(shape_lost(tests::scratch() / "jagged.obj", tests::scratch() / "reduced.obj") < 0.02);
 }
 
+TEST_CASE("what is irregular at a boundary does not move inside", "[shape]") {
+  // A grid of squares whose upper boundary has teeth of about 90 degrees: each tip and each gap has two quads.
+  constexpr int kColumns = 12, kRows = 5;
+  std::ostringstream text;
+  for (int y = 0; y <= kRows; ++y) {
+    for (int x = 0; x <= kColumns; ++x)
+      text << "v " << x << ' ' << (y == kRows ? y + (x % 2 == 0 ? 0.5 : -0.5) : y) << " 0\n";
+  }
+  const auto number = [](int x, int y) { return std::to_string(y * (kColumns + 1) + x + 1); };
+  for (int y = 0; y < kRows; ++y) {
+    for (int x = 0; x < kColumns; ++x)
+      text << "f " << number(x, y) << ' ' << number(x + 1, y) << ' ' << number(x + 1, y + 1) << ' ' << number(x, y + 1)
+           << '\n';
+  }
+  write(tests::scratch() / "teeth.obj", text.str());
+  for (const char* boundary : {"angle", "fixed", "free"}) {
+    INFO(boundary);
+    const auto done =
+        call("edit", std::string("reduce teeth.obj -o reduced.obj --force --json - --boundary ") + boundary);
+    REQUIRE(done.code == 0);
+    const json report = json::parse(done.out);
+    CHECK(report["after"]["inverted"] == 0);
+    CHECK(report["after"]["interior_irregular"] == 0);
+    const bool counts = std::string(boundary) == "angle";
+    CHECK((report["irregular"]["before"] > 8) == counts);
+    CHECK((report["inward"] > 0) == counts);
+    if (!counts) CHECK(text_of(tests::scratch() / "reduced.obj") == text_of(tests::scratch() / "teeth.obj"));
+  }
+}
+
 TEST_CASE("eight v3s are left, and the shape stays", "[.long][keeps shape]") {
   for (const char* name : {"spot", "bunny_qex", "blub", "fandisk_bommes"}) {
     const auto path = tests::real_mesh(name);
