@@ -42,34 +42,36 @@ constexpr double kOperationCost = 0.3;  // beside a face that is lost, which cos
 // The fit in the end: good quads as far as the bound allows.
 constexpr std::array<double, 3> kFinalQualities{10 * kQualityWeight, 4 * kQualityWeight, kQualityWeight};
 
-struct Candidate {
-  double cost;
-  VertexId three;
-  VertexId five;
-  int measured_at;                            // the number of cancellations then
-  bool operator<(const Candidate& o) const {  // for a heap: the cheapest first, then by ids
-    return std::tie(cost, three, five) > std::tie(o.cost, o.three, o.five);
-  }
-};
+}  // namespace
 
-// A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
-enum class Reason { inward, folded, too_far };  // ReduceReport
-struct Failure {
-  int stage;
-  Reason reason;
-  std::vector<VertexId> where;
-};
+class Reduction::Work {
+  struct Candidate {
+    double cost;
+    VertexId three;
+    VertexId five;
+    int measured_at;                            // the number of cancellations then
+    bool operator<(const Candidate& o) const {  // for a heap: the cheapest first, then by ids
+      return std::tie(cost, three, five) > std::tie(o.cost, o.three, o.five);
+    }
+  };
 
-// What a cancellation that was made adds to the report.
-struct Made {
-  std::size_t start;  // the editor's mark before it
-  int transports;
-  int operations;
-};
+  // A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
+  enum class Reason { inward, folded, too_far };  // ReduceReport
+  struct Failure {
+    int stage;
+    Reason reason;
+    std::vector<VertexId> where;
+  };
 
-class Reducer {
+  // What a cancellation that was made adds to the report.
+  struct Made {
+    std::size_t start;  // the editor's mark before it
+    int transports;
+    int operations;
+  };
+
  public:
-  Reducer(Editor& editor, const ReduceOptions& options)
+  Work(Editor& editor, const ReduceOptions& options)
       : editor_(editor),
         m_(editor.mesh()),
         options_(options),
@@ -83,23 +85,37 @@ class Reducer {
     bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
     fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
     fitting_.sweeps = std::max(options.sweeps, 1);
+    start_ = editor_.mark();
+    report_.before = report_.after = count_irregular();
   }
 
-  ~Reducer() { editor_.keep(nullptr); }
-  Reducer(const Reducer&) = delete;
-  Reducer& operator=(const Reducer&) = delete;
+  ~Work() { editor_.keep(nullptr); }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
 
-  ReduceReport run() {
-    start_ = editor_.mark();
-    report_.before = count_irregular();
-    report_.after = report_.before;
-    cancel_all();
-    if (options_.max_deviation < 0 && report_.after > options_.until && report_.too_far > 0) {
-      bound_ = std::numeric_limits<double>::infinity();
-      std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::too_far; });
-      failures_in_a_row_ = 0;
-      cancel_all();
+  Slice advance() {
+    constexpr std::size_t kAtOnce = 16;
+    if (queued_ < all_.size()) {
+      const std::size_t end = std::min(queued_ + kAtOnce, all_.size());
+      for (; queued_ < end; ++queued_) add_candidates(all_[queued_]);
+      return Slice::working;
     }
+    if (!goes_on() || (queue_.empty() && !progress_)) {
+      count_failures();
+      return widen() ? Slice::working : Slice::ended;
+    }
+    if (queue_.empty()) {
+      begin_round();
+      return Slice::working;
+    }
+    if (!take_cheapest()) return Slice::working;
+    progress_ = true;
+    if (options_.progress) options_.progress(report_.after);
+    return Slice::cancelled;
+  }
+  int irregular() const { return report_.after; }
+
+  ReduceReport conclude() {
     finish();
     keep_bound();
     report_.after = count_irregular();
@@ -137,25 +153,33 @@ class Reducer {
         all.begin(), all.end(), [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
   }
 
-  // Makes one cancellation after the other, as long as one succeeds.
-  void cancel_all() {
-    for (bool progress = true; progress && goes_on();) {
-      // Where nothing can be cancelled, parting would only make more irregular vertices.
-      if (!editor_.sectors().is_minimal()) part();
-      values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
-      report_.after = 0;
-      for (const VertexId v : m_.vertices()) remember(v);
-      // Everything is tried again as long as something succeeds: what was refused once may have become possible.
-      progress = false;
-      report_.refusals.clear();
-      queue_ = {};
-      for (const VertexId v : m_.vertices()) add_candidates(v);
-      while (!queue_.empty() && goes_on()) {
-        if (!take_cheapest()) continue;
-        progress = true;
-        if (options_.progress) options_.progress(report_.after);
-      }
-    }
+  // Everything is tried again as long as something succeeds: what was refused once may have become possible.
+  void begin_round() {
+    // Where nothing can be cancelled, parting would only make more irregular vertices.
+    if (!editor_.sectors().is_minimal()) part();
+    values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
+    report_.after = 0;
+    all_ = m_.vertices();
+    for (const VertexId v : all_) remember(v);
+    progress_ = false;
+    report_.refusals.clear();
+    queue_ = {};
+    queued_ = 0;
+  }
+  // In the end, lets cancellations lead further than the usual bound, if nobody asked for a bound. Returns whether that may
+  // help.
+  bool widen() {
+    if (widened_ || options_.max_deviation >= 0 || report_.after <= options_.until || report_.too_far == 0)
+      return false;
+    widened_ = true;
+    bound_ = std::numeric_limits<double>::infinity();
+    std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::too_far; });
+    failures_in_a_row_ = 0;
+    queue_ = {};
+    progress_ = true;
+    return true;
+  }
+  void count_failures() {
     report_.too_far = 0;
     report_.folded = 0;
     report_.inward = 0;
@@ -502,6 +526,10 @@ class Reducer {
   double bound_ = 0;  // that cancellations keep to: of the options; without it, the usual one, and infinity in the end
   BreadthFirstDistances around_;
   std::priority_queue<Candidate> queue_;
+  std::vector<VertexId> all_;  // at the start of the round
+  std::size_t queued_ = 0;     // so many of these have their candidates in the queue
+  bool progress_ = true;       // something was cancelled in the round
+  bool widened_ = false;
   ReduceReport report_;
   std::size_t start_ = 0;  // the editor's mark at the start
   std::vector<Made> made_;
@@ -513,8 +541,17 @@ class Reducer {
   std::vector<Value> values_;    // by vertex slot, of the mesh after the last cancellation
 };
 
-}  // namespace
+Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}
+Reduction::~Reduction() = default;
+Reduction::Slice Reduction::advance() { return work_->advance(); }
+int Reduction::irregular() const { return work_->irregular(); }
+ReduceReport Reduction::finish() { return work_->conclude(); }
 
-ReduceReport reduce(Editor& editor, const ReduceOptions& options) { return Reducer(editor, options).run(); }
+ReduceReport reduce(Editor& editor, const ReduceOptions& options) {
+  Reduction reduction(editor, options);
+  while (reduction.advance() != Reduction::Slice::ended) {
+  }
+  return reduction.finish();
+}
 
 }  // namespace requad::mesh

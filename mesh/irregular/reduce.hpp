@@ -27,6 +27,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,30 @@ struct ReduceReport {
   int too_far = 0;                  // cancellations refused, or taken back, because of max_deviation
 };
 
-// Precondition: the editor has positions, and nothing was done with it yet, or was forgotten. It keeps a correspondence
-// that ends with this call.
+// A reduction that can be watched and stopped. Editor and options must outlive it. Precondition: the editor has
+// positions, and nothing was done with it yet, or was forgotten. It keeps a correspondence as long as the reduction lives.
+class Reduction {
+ public:
+  Reduction(Editor& editor, const ReduceOptions& options);
+  ~Reduction();
+  Reduction(const Reduction&) = delete;
+  Reduction& operator=(const Reduction&) = delete;
+
+  // Works a little: measures some candidates, or tries a cancellation. Ended: nothing is left to try, or `until` is reached.
+  enum class Slice { working, cancelled, ended };
+  Slice advance();
+  // The number of irregular vertices now.
+  int irregular() const;
+  // Fits what was touched. Takes back the last cancellations if max_deviation asks for that; those before them, and
+  // their edits, stay. Nothing follows.
+  ReduceReport finish();
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+// The whole reduction. Preconditions as above.
 ReduceReport reduce(Editor& editor, const ReduceOptions& options);
 
 }  // namespace requad::mesh
