@@ -33,6 +33,8 @@ std::string ending(const mesh::ReduceReport& report, int until) {
   if (report.inward > 0)
     text += "; " + counted(report.inward, "pair at the boundary would", "pairs at the boundary would") +
             " make vertices inside irregular (see --boundary)";
+  if (report.worn > 0)
+    text += "; " + counted(report.worn, "pair would", "pairs would") + " go beyond --max-quality-loss";
   if (report.folded > 0)
     text += "; " + counted(report.folded, "pair would", "pairs would") +
             " leave more quads inverted (--allow-inverted cancels them nevertheless)";
@@ -55,6 +57,7 @@ int reduce(const Options& options) {
   Session session(options, "reduce");
   const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
   if (deviation >= 0) how.max_deviation = deviation * diagonal;
+  how.max_quality_loss = options.number("max-quality-loss", deviation >= 0 ? 0.05 : 2, 0, 2);
   const std::vector<mesh::VertexId> all = session.mesh().vertices();
   const auto is_irregular = [&](mesh::VertexId v) { return session.editor().sectors().is_irregular(v); };
   const auto count = std::count_if(all.begin(), all.end(), is_irregular);
@@ -84,6 +87,7 @@ int reduce(const Options& options) {
                        {"measured", report.measured},
                        {"too_far", report.too_far},
                        {"folded", report.folded},
+                       {"worn", report.worn},
                        {"inward", report.inward},
                        {"minimal", report.minimal},
                        {"ended", why},
@@ -114,6 +118,9 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
           program::value("until", "N", "stop at N irregular vertices (default 0)"),
           program::value("max-deviation", "D",
                          "keep the Hausdorff distance of OUT and IN within D times the diagonal of IN"),
+          program::value("max-quality-loss", "Q",
+                         "make no cancellation that lets the mean scaled Jacobian fall by more than Q below\n"
+                         "that of IN (default 0.05 with --max-deviation, no bound without)"),
           program::value("cost", "fit|curvature",
                          "what makes a cancellation cheap (default fit): few\n"
                          "  fit        points of IN whose quad goes, and few operations\n"

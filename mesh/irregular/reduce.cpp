@@ -36,6 +36,7 @@ constexpr Reach kAfterLongTransport{4, 3, true};
 constexpr Reach kWhenMade{4, 3, false};
 constexpr Reach kRescue{12, 2, true};  // again and again if a quad is inverted or too far away then
 constexpr int kRescueParts = 4;
+constexpr int kRefresh = 4;             // cancellations
 constexpr double kPart = 0.9;           // of the bound is what a cancellation may use: later ones need some, too
 constexpr double kHopeless = 1.5;       // how_far_from_acceptable()
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
@@ -56,7 +57,7 @@ class Reduction::Work {
   };
 
   // A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
-  enum class Reason { inward, folded, too_far };  // ReduceReport
+  enum class Reason { inward, folded, worn, too_far };  // ReduceReport
   struct Failure {
     int stage;
     Reason reason;
@@ -87,6 +88,7 @@ class Reduction::Work {
     fitting_.sweeps = std::max(options.sweeps, 1);
     start_ = editor_.mark();
     report_.before = report_.after = count_irregular();
+    input_quality_ = mean_quality();
   }
 
   ~Work() { editor_.keep(nullptr); }
@@ -134,7 +136,8 @@ class Reduction::Work {
   struct Value {
     double cost = 0;
     int inverted = 0;
-    int inside = 0;  // 1 if it is irregular and free
+    int inside = 0;      // 1 if it is irregular and free
+    double quality = 0;  // scaled Jacobians
     bool irregular = false;
   };
 
@@ -146,6 +149,11 @@ class Reduction::Work {
   int count_irregular() const {
     const std::vector<VertexId> all = m_.vertices();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [this](VertexId v) { return is_irregular(v); }));
+  }
+  double mean_quality() const {
+    double sum = 0;
+    for (const FaceId f : m_.faces()) sum += scaled_jacobian(m_, positions(), f);
+    return sum / m_.face_count();
   }
   int count_inverted() const {
     const std::vector<FaceId> all = m_.faces();
@@ -159,8 +167,10 @@ class Reduction::Work {
     if (!editor_.sectors().is_minimal()) part();
     values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
     report_.after = 0;
+    quality_ = 0;
     all_ = m_.vertices();
     for (const VertexId v : all_) remember(v);
+    faces_ = m_.face_count();
     progress_ = false;
     report_.refusals.clear();
     queue_ = {};
@@ -183,10 +193,12 @@ class Reduction::Work {
     report_.too_far = 0;
     report_.folded = 0;
     report_.inward = 0;
+    report_.worn = 0;
     for (const auto& [pair, failure] : failures_) {
       if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
         ++(failure.reason == Reason::inward   ? report_.inward
            : failure.reason == Reason::folded ? report_.folded
+           : failure.reason == Reason::worn   ? report_.worn
                                               : report_.too_far);
     }
   }
@@ -227,6 +239,7 @@ class Reduction::Work {
   bool fit_in_the_end(double quality) {
     constexpr int kAtATime = 5;
     const int inverted = count_inverted();
+    const double quality_before = mean_quality();
     std::size_t good = editor_.mark();
     bool any = false;
     for (int rounds = options_.final_rounds; rounds > 0; rounds -= kAtATime) {
@@ -241,6 +254,9 @@ class Reduction::Work {
       fit_affected(reach, quality);
       if (!options_.allow_inverted && count_inverted() > inverted) straighten();
       if ((!options_.allow_inverted && count_inverted() > inverted) || !is_within_bound()) continue;
+      const double now = mean_quality();
+      if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
+        continue;
       good = editor_.mark();
       any = true;
     }
@@ -373,12 +389,14 @@ class Reduction::Work {
       sum.cost -= values_[v.slot()].cost;
       sum.inverted -= values_[v.slot()].inverted;
       sum.inside -= values_[v.slot()].inside;
+      sum.quality -= values_[v.slot()].quality;
     };
     for (const VertexId v : affected_.near) {
       const Value now = value(v);
       sum.cost += now.cost;
       sum.inverted += now.inverted;
       sum.inside += now.inside;
+      sum.quality += now.quality;
       subtract(v);
     }
     for (const VertexId v : affected_.removed) subtract(v);
@@ -386,10 +404,17 @@ class Reduction::Work {
   }
 
   // Whether the affected region is as good as it must be.
-  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_too_far(); }
+  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_worn() && !is_too_far(); }
+  // Whether the mean quality of all faces falls too low.
+  bool is_worn() const {
+    if (options_.max_quality_loss < 0) return false;
+    const double now = (quality_ + change().quality) / m_.face_count();
+    return now < quality_ / faces_ && now < input_quality_ - options_.max_quality_loss;
+  }
   bool leads_inward() const { return change().inside > 0; }
   Reason reason() const {
-    return leads_inward() ? Reason::inward : is_inverted_more() ? Reason::folded : Reason::too_far;
+    if (leads_inward()) return Reason::inward;
+    return is_inverted_more() ? Reason::folded : is_worn() ? Reason::worn : Reason::too_far;
   }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
   bool is_too_far() const {
@@ -433,7 +458,9 @@ class Reduction::Work {
     result.inside = result.irregular && !editor_.is_fixed(v) ? 1 : 0;
     m_.for_each_out(v, [&](HalfEdgeId h) {
       const FaceId f = QuadMesh::face(h);
-      result.inverted += is_inverted(scaled_jacobian(m_, positions(), f)) ? 1 : 0;
+      const double quality = scaled_jacobian(m_, positions(), f);
+      result.inverted += is_inverted(quality) ? 1 : 0;
+      result.quality += quality / 4;
     });
     if (options_.cost == ReduceCost::curvature) result.cost = std::abs(mean_curvature(m_, positions(), v));
     return result;
@@ -443,9 +470,10 @@ class Reduction::Work {
   void remember(VertexId v) {
     if (v.slot() >= values_.size()) values_.resize(v.slot() + 1);
     Value& remembered = values_[v.slot()];
-    const bool before = remembered.irregular;
+    const Value before = remembered;
     remembered = m_.is_live(v) ? value(v) : Value{};
-    report_.after += static_cast<int>(remembered.irregular) - static_cast<int>(before);
+    report_.after += static_cast<int>(remembered.irregular) - static_cast<int>(before.irregular);
+    quality_ += remembered.quality - before.quality;
   }
 
   // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
@@ -469,8 +497,10 @@ class Reduction::Work {
     const std::size_t before = editor_.mark();
     if (!make(c->three, c->five, true)) return false;
     if (!fit_made(before)) {
-      remember_failure(c->three, c->five);
+      const bool worn = reason() == Reason::worn;
+      if (!worn || !may_refresh()) remember_failure(c->three, c->five);
       editor_.roll_back(before);
+      if (worn && may_refresh()) refresh();
       return false;
     }
     failures_in_a_row_ = 0;
@@ -483,14 +513,25 @@ class Reduction::Work {
     }
     for (const VertexId v : affected_.removed) remember(v);
     for (const VertexId v : affected_.near) remember(v);
+    faces_ = m_.face_count();
     const std::vector<VertexId> changed = std::move(affected_.changed);
     for (const VertexId v : changed) add_candidates(v);
     return true;
   }
+
+  // What was touched may have better quads than the fits on the way have left. So it is fitted as in the end, some
+  // cancellations after the last time.
+  bool may_refresh() const { return options_.final_rounds > 0 && stage() >= refreshed_at_ + kRefresh; }
+  void refresh() {
+    refreshed_at_ = stage();
+    finish();
+    std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::worn; });
+    begin_round();
+  }
   // Fits what was made until it is acceptable, or there seems to be no hope.
   bool fit_made(std::size_t before) {
     fit_since(before, kWhenMade);
-    if (leads_inward()) return false;
+    if (leads_inward() || is_worn()) return false;
     if (is_acceptable() || is_acceptable_straightened()) return true;
     double trouble = std::numeric_limits<double>::infinity();
     for (int part = 0; part < kRescueParts && options_.sweeps > 0; ++part) {
@@ -535,9 +576,13 @@ class Reduction::Work {
   std::vector<Made> made_;
   std::map<std::pair<VertexId, VertexId>, Failure> failures_;
   int failures_in_a_row_ = 0;
+  int refreshed_at_ = 0;         // stage()
   std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
   Cancellation last_;            // of make()
   AffectedRegion affected_;      // of the last fit
+  double input_quality_ = 0;     // the mean of all faces
+  double quality_ = 0;           // the sum over all faces, of the mesh after the last cancellation
+  int faces_ = 0;                // of that mesh
   std::vector<Value> values_;    // by vertex slot, of the mesh after the last cancellation
 };
 

@@ -47,6 +47,8 @@ struct ReduceOptions {
   // The largest hausdorff_distance() from the input that is allowed in the end, in units of length. Negative: no bound.
   // Then what would lead further than 0.02 of the diagonal is left for the end.
   double max_deviation = -1;
+  // How far the mean scaled Jacobian may fall below that of the input. Negative: no bound.
+  double max_quality_loss = -1;
   int patience = 16;      // ends after so many cancellations in a row that were not acceptable; 0: tries all
   int sweeps = 3;         // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
   int final_rounds = 20;  // of the fit in the end, of all that was touched
@@ -68,6 +70,7 @@ struct ReduceReport {
   std::map<Refusal, int> refusals;  // of the last attempt on each pair that is left
   int inward = 0;                   // cancellations refused because more vertices off features and boundary would be
                                     // irregular than before
+  int worn = 0;                     // cancellations refused because of max_quality_loss
   int folded = 0;                   // cancellations refused because a quad would be inverted
   int too_far = 0;                  // cancellations refused, or taken back, because of max_deviation
 };
