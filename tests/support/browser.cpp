@@ -1,11 +1,13 @@
 #include "tests/support/browser.hpp"
 
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -62,7 +64,7 @@ std::optional<std::string> chromium() {
   return std::nullopt;
 }
 
-Browser::Browser(const std::string& program) {
+Browser::Browser(const std::string& program, Graphics graphics) {
   profile_ = (scratch() / "chromium-XXXXXX").string();
   REQUIRE(mkdtemp(profile_.data()) != nullptr);
   int commands[2];
@@ -72,7 +74,6 @@ Browser::Browser(const std::string& program) {
   std::vector<std::string> words{program,
                                  "--headless",
                                  "--no-sandbox",
-                                 "--disable-gpu",
                                  "--disable-quic",
                                  "--no-first-run",
                                  "--disable-background-networking",
@@ -82,6 +83,11 @@ Browser::Browser(const std::string& program) {
                                  "--user-data-dir=" + profile_,
                                  "--remote-debugging-pipe",
                                  "about:blank"};
+  if (graphics == Graphics::webgl) {
+    words.insert(words.end() - 1, {"--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"});
+  } else {
+    words.insert(words.end() - 1, "--disable-gpu");
+  }
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -234,14 +240,23 @@ bool Browser::wait(const std::string& expression, double seconds) {
 }
 
 void Browser::press(const std::string& combination) {
-  const std::string shift = "Shift+";
-  const bool shifted = combination.rfind(shift, 0) == 0;
-  const std::string key = shifted ? combination.substr(shift.size()) : combination;
+  std::string key = combination;
+  int modifiers = 0;
+  for (const auto& [name, bit] : {std::pair("Shift+", 8), std::pair("Control+", 2)}) {
+    if (key.rfind(name, 0) != 0) continue;
+    key.erase(0, std::string(name).size());
+    modifiers |= bit;
+  }
   static const std::map<std::string, int> kCodes{{"ArrowLeft", 37}, {"ArrowUp", 38}, {"ArrowRight", 39},
-                                                 {"ArrowDown", 40}, {"Tab", 9},      {"Enter", 13}};
-  json event{{"key", key}, {"code", key}, {"windowsVirtualKeyCode", kCodes.at(key)}, {"modifiers", shifted ? 8 : 0}};
-  event["type"] = key == "Enter" ? "keyDown" : "rawKeyDown";
-  if (key == "Enter") event["text"] = "\r";
+                                                 {"ArrowDown", 40}, {"Tab", 9},      {"Enter", 13},
+                                                 {"Escape", 27},    {"Space", 32}};
+  const bool character = key.size() == 1;
+  const int code = character ? std::toupper(static_cast<unsigned char>(key[0])) : kCodes.at(key);
+  json event{{"key", key}, {"code", key}, {"windowsVirtualKeyCode", code}, {"modifiers", modifiers}};
+  if (key == "Space") event["key"] = " ";
+  const std::string text = key == "Enter" ? "\r" : key == "Space" ? " " : character && modifiers != 2 ? key : "";
+  event["type"] = text.empty() ? "rawKeyDown" : "keyDown";
+  if (!text.empty()) event["text"] = text;
   call("Input.dispatchKeyEvent", event);
   event.erase("text");
   event["type"] = "keyUp";
@@ -252,19 +267,56 @@ void Browser::click(const std::string& element) {
   const json at = evaluate("(() => { const e = " + element +
                            "; e.scrollIntoView({block: 'center'}); const r = e.getBoundingClientRect();"
                            " return [r.x + r.width / 2, r.y + r.height / 2]; })()");
-  const json place{{"x", at[0]}, {"y", at[1]}};
+  click_at(at[0], at[1]);
+}
+
+void Browser::mouse(const char* type, double x, double y, int buttons, int modifiers) {
+  const bool moves = std::string(type) == "mouseMoved";
+  call("Input.dispatchMouseEvent", {{"type", type},
+                                    {"x", x},
+                                    {"y", y},
+                                    {"modifiers", modifiers},
+                                    {"button", moves && buttons == 0 ? "none" : "left"},
+                                    {"buttons", buttons},
+                                    {"clickCount", moves ? 0 : 1}});
+}
+
+void Browser::click_at(double x, double y, const std::string& modifier) {
   if (phone_) {
-    call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", {place}}});
+    call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", {{{"x", x}, {"y", y}}}}});
     call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", json::array()}});
     return;
   }
-  for (const char* type : {"mouseMoved", "mousePressed", "mouseReleased"}) {
-    json event = place;
-    event["type"] = type;
-    event["button"] = std::string(type) == "mouseMoved" ? "none" : "left";
-    event["clickCount"] = std::string(type) == "mouseMoved" ? 0 : 1;
-    call("Input.dispatchMouseEvent", event);
-  }
+  const int modifiers = modifier == "Shift" ? 8 : 0;
+  mouse("mouseMoved", x, y, 0, modifiers);
+  mouse("mousePressed", x, y, 1, modifiers);
+  mouse("mouseReleased", x, y, 0, modifiers);
+}
+
+void Browser::hover(double x, double y) { mouse("mouseMoved", x, y, 0); }
+
+void Browser::drag(double from_x, double from_y, double to_x, double to_y) {
+  mouse("mouseMoved", from_x, from_y, 0);
+  mouse("mousePressed", from_x, from_y, 1);
+  for (int i = 1; i <= 4; ++i)
+    mouse("mouseMoved", from_x + i * (to_x - from_x) / 4, from_y + i * (to_y - from_y) / 4, 1);
+  mouse("mouseReleased", to_x, to_y, 0);
+}
+
+void Browser::drop_file(const std::string& path, double x, double y) {
+  const json data{{"items", json::array()}, {"files", {path}}, {"dragOperationsMask", 1}};
+  for (const char* type : {"dragEnter", "dragOver", "drop"})
+    call("Input.dispatchDragEvent", {{"type", type}, {"x", x}, {"y", y}, {"data", data}});
+}
+
+void Browser::choose_file(const std::string& selector, const std::string& path) {
+  const json root = call("DOM.getDocument")["root"]["nodeId"];
+  const json node = call("DOM.querySelector", {{"nodeId", root}, {"selector", selector}})["nodeId"];
+  call("DOM.setFileInputFiles", {{"files", {path}}, {"nodeId", node}});
+}
+
+void Browser::save_to(const std::string& folder) {
+  call("Browser.setDownloadBehavior", {{"behavior", "allow"}, {"downloadPath", folder}});
 }
 
 void Browser::set_size(int width, int height, bool phone) {

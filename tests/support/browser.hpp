@@ -16,8 +16,10 @@ std::optional<std::string> chromium();
 
 class Browser {
  public:
-  // Starts the program with an empty profile and opens one page. Fails the test if it does not answer.
-  explicit Browser(const std::string& program);
+  // Starts the program with an empty profile and opens one page; with WebGL by software if wanted. Fails the test if it
+  // does not answer.
+  enum class Graphics { none, webgl };
+  explicit Browser(const std::string& program, Graphics graphics = Graphics::none);
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
@@ -28,10 +30,20 @@ class Browser {
   nlohmann::json evaluate(const std::string& expression);
   // Whether an expression becomes true within some seconds.
   bool wait(const std::string& expression, double seconds = 20);
-  // Presses a key: "ArrowUp", "Tab", "Enter", "Shift+ArrowLeft", ...
+  // Presses a key: "ArrowUp", "Tab", "Enter", "Escape", "n", "1", "Shift+ArrowLeft", "Control+z", ...
   void press(const std::string& combination);
   // Clicks the left button, or taps, on the middle of the element that a JavaScript expression names.
   void click(const std::string& element);
+  // The same at a place of the window, in CSS pixels; with "Shift" held if that is the modifier.
+  void click_at(double x, double y, const std::string& modifier = "");
+  // Moves the mouse there, or drags with the left button from one place to the other.
+  void hover(double x, double y);
+  void drag(double from_x, double from_y, double to_x, double to_y);
+  // Drops a file there; gives one to the file input that a selector names.
+  void drop_file(const std::string& path, double x, double y);
+  void choose_file(const std::string& selector, const std::string& path);
+  // Files that the page saves go to this folder.
+  void save_to(const std::string& folder);
   void set_size(int width, int height, bool phone);
   // A desk of 1280 by 900, or a phone of 390 by 844.
   void show_on(bool phone) { set_size(phone ? 390 : 1280, phone ? 844 : 900, phone); }
@@ -52,6 +64,7 @@ class Browser {
   // The next message, or an empty object if none comes within this time.
   nlohmann::json receive(double seconds);
   void note(const nlohmann::json& event);
+  void mouse(const char* type, double x, double y, int buttons, int modifiers = 0);
   void set_media();
 
   int to_ = -1;
