@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr double kPatience = 60;  // seconds for the browser to start or to answer on a busy machine
+constexpr double kPatience = 180;  // seconds for the browser to start or to answer on a busy machine
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 

@@ -28,8 +28,8 @@ class Browser {
   void open(const std::string& path, const std::string& fragment = "");
   // The value of a JavaScript expression.
   nlohmann::json evaluate(const std::string& expression);
-  // Whether an expression becomes true within some seconds.
-  bool wait(const std::string& expression, double seconds = 20);
+  // Whether an expression becomes true within some seconds, which are many, for machines may be busy.
+  bool wait(const std::string& expression, double seconds = 120);
   // Presses a key: "ArrowUp", "Tab", "Enter", "Escape", "n", "1", "Shift+ArrowLeft", "Control+z", ...
   void press(const std::string& combination);
   // Clicks the left button, or taps, on the middle of the element that a JavaScript expression names.
