@@ -1,8 +1,9 @@
 // The session as the page calls it: a request comes as JSON and is answered as JSON. For WebAssembly alone.
 //
-// Functions of C that the page calls: requad_open() with the bytes of a file, requad_call() for everything else,
-// requad_text() for texts that may be long, and the arrays of the scene. Ids of vertices and quads stand for themselves;
+// Functions of C that the page calls: requad_open() and requad_apply() with the bytes of a file, requad_call() for
+// everything else, requad_text() for texts that may be long, and the arrays of the scene and of stages. Ids of vertices and quads stand for themselves;
 // positions are arrays of three numbers. An answer is valid until the next call.
+#include <algorithm>
 #include <memory>
 
 #include <emscripten.h>
@@ -21,6 +22,8 @@ struct State {
   std::unique_ptr<Session> session;
   std::unique_ptr<Scene> scene;
   std::string answer;
+  std::vector<float> stages;
+  bool grown = false;  // the scene's arrays, since the last status
 };
 State& state() {
   static State only;
@@ -42,7 +45,14 @@ json ids(const std::vector<Id>& list) {
   return result;
 }
 
+json segments(const Session& session, const mesh::FeatureEdges& edges) {
+  json paths = json::array();
+  for (const auto& [a, b] : edges) paths.push_back(to_json(session, {a, b}));
+  return paths;
+}
+
 constexpr std::array kKinds{"vertex", "pair", "edge", "quad"};
+constexpr std::array kPaints{"plain", "quality", "checkerboard", "stripes"};
 
 Selection selection_of(const json& request) {
   Selection s;
@@ -52,6 +62,7 @@ Selection selection_of(const json& request) {
   s.a = VertexId(request.value("a", -1));
   s.b = VertexId(request.value("b", -1));
   s.quad = FaceId(request.value("quad", -1));
+  for (const int v : request.value("helpers", std::vector<int>{})) s.helpers.emplace_back(v);
   return s;
 }
 
@@ -63,36 +74,92 @@ json to_json(const Selection& s) {
   return result;
 }
 
+// An irregular vertex.
+json mark(const Session& session, VertexId v) {
+  return {{"id", v.index()}, {"valence", session.mesh().valence(v)}, {"at", to_json(session.positions()[v.slot()])}};
+}
+
 // What the page shows of a mesh at all times, and what it must draw anew.
 json status(State& s) {
   Session& session = *s.session;
   const Changes changes = session.take_changes();
-  bool everything = changes.everything;
-  if (everything) {
-    s.scene = std::make_unique<Scene>(session.mesh(), session.positions());
+  bool everything = changes.everything || s.grown;
+  if (changes.everything) {
+    s.scene = std::make_unique<Scene>(session.mesh(), session.positions(), s.scene ? s.scene->paint() : Paint::plain);
   } else {
-    everything = s.scene->update(session.mesh(), session.positions(), changes.quads);
+    everything = s.scene->update(session.mesh(), session.positions(), changes.quads) || everything;
   }
+  s.grown = false;
   const Description d = session.describe();
   json irregular = json::array(), valences = json::object();
-  for (const VertexId v : session.irregular())
-    irregular.push_back(
-        {{"id", v.index()}, {"valence", session.mesh().valence(v)}, {"at", to_json(session.positions()[v.slot()])}});
+  for (const VertexId v : session.irregular()) irregular.push_back(mark(session, v));
   for (const auto& [valence, count] : d.irregular) valences[std::to_string(valence)] = count;
-  return {{"vertices", d.vertices},
-          {"quads", d.quads},
-          {"genus", d.genus},
-          {"boundary_loops", d.boundary_loops},
-          {"valences", valences},
-          {"index_sum", d.index_sum},
-          {"least", d.least_irregular()},
-          {"irregular", irregular},
-          {"done", session.steps().size()},
-          {"everything", everything},
-          {"changed", everything ? json::array() : ids(changes.quads)},
-          {"capacity", s.scene->quad_capacity()},
-          {"centre", to_json(s.scene->centre())},
-          {"radius", s.scene->radius()}};
+  json answer{{"vertices", d.vertices},
+              {"quads", d.quads},
+              {"genus", d.genus},
+              {"boundary_loops", d.boundary_loops},
+              {"valences", valences},
+              {"index_sum", d.index_sum},
+              {"least", d.least_irregular()},
+              {"irregular", irregular},
+              {"done", session.steps().size()},
+              {"everything", everything},
+              {"changed", everything ? json::array() : ids(changes.quads)},
+              {"capacity", s.scene->quad_capacity()},
+              {"centre", to_json(s.scene->centre())},
+              {"inverted", d.inverted},
+              {"features", d.features},
+              {"reduces", session.reduces()},
+              {"radius", s.scene->radius()}};
+  if (changes.features) answer["feature_lines"] = segments(session, session.features());
+  if (changes.everything) {
+    answer["boundary_lines"] = json::array();
+    for (const auto& loop : session.boundary()) answer["boundary_lines"].push_back(to_json(session, loop));
+  }
+  return answer;
+}
+
+// Makes an edit. `stages` lists, for each of its operations, the quads that it changed, and what vertices became
+// irregular or are so near by, or are so no more; State::stages has the arrays of
+// each of these in turn, those of the scene: Scene::kFloats, then the six corners of the triangles, as numbers.
+json perform(State& s, const json& request) {
+  Session& session = *s.session;
+  json stages = json::array();
+  s.stages.clear();
+  std::set<VertexId> marked = session.irregular();
+  Session::Watch watch;
+  if (request.value("stages", false) && !is_global(s.scene->paint())) {
+    watch = [&](std::span<const FaceId> quads) {
+      s.grown = s.scene->update(session.mesh(), session.positions(), quads) || s.grown;
+      json near = json::array(), regular = json::array();
+      for (const FaceId f : quads) {
+        if (!session.mesh().is_live(f)) continue;
+        for (const VertexId v : session.mesh().corners(f)) {
+          if (mesh::is_irregular(session.mesh(), v)) {
+            marked.insert(v);
+            near.push_back(mark(session, v));
+          } else if (marked.erase(v) != 0) {
+            regular.push_back(v.index());
+          }
+        }
+      }
+      for (auto v = marked.begin(); v != marked.end();) {
+        const bool gone = !session.mesh().is_live(*v);
+        if (gone) regular.push_back(v->index());
+        v = gone ? marked.erase(v) : std::next(v);
+      }
+      stages.push_back(
+          {{"quads", ids(std::vector<FaceId>(quads.begin(), quads.end()))}, {"irregular", near}, {"regular", regular}});
+      for (const FaceId f : quads) {
+        const auto corners = std::span(s.scene->corners()).subspan(Scene::kFloats * f.slot(), Scene::kFloats);
+        s.stages.insert(s.stages.end(), corners.begin(), corners.end());
+        for (const std::uint32_t i : std::span(s.scene->triangles()).subspan(6 * f.slot(), 6))
+          s.stages.push_back(static_cast<float>(i));
+      }
+    };
+  }
+  const std::string why = session.perform(selection_of(request.at("selection")), request.at("name"), watch);
+  return {{"why", why}, {"stages", stages}};
 }
 
 json to_json(const Offers& offers) {
@@ -102,6 +169,7 @@ json to_json(const Offers& offers) {
     for (const Arrow& arrow : o.arrows) arrows.push_back({to_json(arrow.from), to_json(arrow.to)});
     list.push_back({{"name", o.name},
                     {"why", o.why},
+                    {"help", o.help},
                     {"effect", o.effect},
                     {"operations", o.counts.operations},
                     {"made", o.counts.faces_made},
@@ -109,9 +177,10 @@ json to_json(const Offers& offers) {
                     {"vertices", ids(o.vertices)},
                     {"quads", ids(o.quads)},
                     {"after", {o.after[0].index(), o.after[1].index()}},
+                    {"helpers", ids(o.helpers)},
                     {"arrows", arrows}});
   }
-  return {{"why", offers.why}, {"hint", offers.hint}, {"list", list}};
+  return {{"why", offers.why}, {"hint", offers.hint}, {"third", offers.third.index()}, {"list", list}};
 }
 
 json answer_to(State& s, const json& request) {
@@ -122,9 +191,39 @@ json answer_to(State& s, const json& request) {
   };
   if (what == "status") return status(s);
   if (what == "offers") return to_json(session.offers(selection_of(request.at("selection"))));
-  if (what == "perform") {
-    const std::string why = session.perform(selection_of(request.at("selection")), request.at("name"));
-    return {{"why", why}};
+  if (what == "perform") return perform(s, request);
+  if (what == "smooth") {
+    std::vector<VertexId> centres;
+    for (const int v : request.at("vertices")) centres.emplace_back(v);
+    return {{"why", session.smooth(centres, request.at("rings"))}};
+  }
+  if (what == "sharp") return segments(session, session.sharp(request.at("degrees")));
+  if (what == "set_features") return {{"why", session.set_features(session.sharp(request.at("degrees")))}};
+  if (what == "clear_features") return {{"why", session.set_features({})}};
+  if (what == "start_reduction") {
+    session.start_reduction(request.at("until"), request.at("deviation"));
+    return nullptr;
+  }
+  if (what == "reduce") {
+    constexpr std::array kSlices{"working", "cancelled", "ended"};
+    return kSlices[static_cast<std::size_t>(session.reduce())];
+  }
+  if (what == "finish_reduction") {
+    session.finish_reduction();
+    return nullptr;
+  }
+  if (what == "paint") {
+    const auto at = std::find(kPaints.begin(), kPaints.end(), request.at("paint").get<std::string>());
+    if (at == kPaints.end()) throw std::invalid_argument("unknown paint");
+    s.scene->set_paint(session.mesh(), session.positions(), static_cast<Paint>(at - kPaints.begin()));
+    s.grown = true;
+    return nullptr;
+  }
+  if (what == "history") {
+    json steps = json::array();
+    for (std::size_t i = request.at("from"); i < session.steps().size(); ++i)
+      steps.push_back({{"words", session.steps()[i].words}, {"lines", session.lines(session.steps()[i])}});
+    return steps;
   }
   if (what == "undo") return {{"done", session.undo()}};
   if (what == "redo") return {{"done", session.redo()}};
@@ -133,10 +232,7 @@ json answer_to(State& s, const json& request) {
     if (!session.mesh().is_live(quad)) return nullptr;
     return to_json(session.pointed_at(quad, vector("origin"), vector("direction")));
   }
-  if (what == "last_step") {
-    const Step& step = session.steps().back();
-    return {{"words", step.words}, {"lines", session.lines(step)}};
-  }
+  if (what == "name") return session.name_of(VertexId(request.at("vertex")));
   if (what == "numbered") return session.numbered(request.at("number")).index();
   if (what == "nearest") return ids(session.nearest_irregular(VertexId(request.at("vertex")), request.at("most")));
   if (what == "subject") {
@@ -149,6 +245,10 @@ json answer_to(State& s, const json& request) {
     std::vector<VertexId> vertices;
     for (const VertexId v : {chosen.a, chosen.b}) {
       if (v.valid()) vertices.push_back(v);
+    }
+    result["helpers"] = json::array();
+    for (const VertexId v : chosen.helpers) {
+      if (session.mesh().is_live(v)) result["helpers"].push_back({{"id", v.index()}, {"name", session.name_of(v)}});
     }
     if (chosen.quad.valid()) {
       for (const VertexId v : session.mesh().corners(chosen.quad)) vertices.push_back(v);
@@ -222,6 +322,19 @@ EMSCRIPTEN_KEEPALIVE const char* requad_call(const char* request) {
   }
 }
 
+// Replays a script on the mesh that was opened. Answers {"why": ""}, or the reason.
+EMSCRIPTEN_KEEPALIVE const char* requad_apply(const char* bytes, int size, const char* name) {
+  using namespace requad;
+  web::State& s = web::state();
+  std::string why;
+  try {
+    why = s.session->apply(std::string_view(bytes, static_cast<std::size_t>(size)), name);
+  } catch (const std::exception& error) {
+    why = error.what();
+  }
+  return web::give(s, web::json{{"why", why}}.dump(-1, ' ', false, web::json::error_handler_t::replace));
+}
+
 // "obj" or "script".
 EMSCRIPTEN_KEEPALIVE const char* requad_text(const char* what) {
   using namespace requad;
@@ -230,6 +343,7 @@ EMSCRIPTEN_KEEPALIVE const char* requad_text(const char* what) {
 }
 
 EMSCRIPTEN_KEEPALIVE const float* requad_corners() { return requad::web::state().scene->corners().data(); }
+EMSCRIPTEN_KEEPALIVE const float* requad_stages() { return requad::web::state().stages.data(); }
 EMSCRIPTEN_KEEPALIVE const unsigned* requad_triangles() { return requad::web::state().scene->triangles().data(); }
 
 }  // extern "C"

@@ -26,6 +26,26 @@ std::string words(Refusal refusal, const mesh::Obstacles& obstacles = {}) {
   return std::string(refusal.clause()) + (met.empty() ? "" : "; in the way: " + met);
 }
 
+// What would help after this refusal; "" if nothing is known to.
+std::string what_helps(Refusal refusal, const mesh::Obstacles& obstacles) {
+  if (refusal == EditRefusal::odd_distance)
+    return "a third irregular vertex changes the parity: move one of the two with it by an odd number of edges";
+  if (refusal == EditRefusal::lone_pair) return "make a third irregular vertex first, by an operation at a vertex";
+  if (refusal == EditRefusal::touches_boundary)
+    return "other moves lead away from the boundary, or split quads between it and the pair";
+  if (refusal == mesh::FeatureRefusal::breaks_feature) return "choose the edge and make it no feature";
+  if (refusal == EditRefusal::irregular_in_the_way) return "move that vertex away first, with another one";
+  if (refusal == EditRefusal::no_rectangle || refusal == EditRefusal::overlaps_itself)
+    return "transports need no rectangle: move one of the two with a nearer irregular vertex first";
+  if (refusal == EditRefusal::index) return "choose a v3 and a v5, which have opposite indices";
+  if (refusal == EditRefusal::no_path) {
+    if (obstacles.features)
+      return "make the features in the way ordinary edges, or go by a third vertex on their other side";
+    return obstacles.irregular ? "move what is in the way first, or choose nearer vertices" : "choose nearer vertices";
+  }
+  return "";
+}
+
 }  // namespace
 
 // --- what an edit does -----------------------------------------------------------------------------------------------
@@ -83,6 +103,7 @@ Refusal Session::offer_moves(VertexId a, VertexId b) {
     Offer offer;
     offer.name = move.name;
     offer.why = words(move.refusal, move.obstacles);
+    offer.help = what_helps(move.refusal, move.obstacles);
     offer.effect = move.effect;
     offer.after = move.after;
     for (std::size_t i = 0; i < 2 && offer.is_legal(); ++i) {
@@ -95,19 +116,23 @@ Refusal Session::offer_moves(VertexId a, VertexId b) {
 }
 
 // Merging and aligning of two of a kind, and cancelling of two of opposite kinds.
-void Session::offer_complementary(VertexId a, VertexId b) {
+void Session::offer_complementary(const Selection& selection) {
+  const VertexId a = selection.a, b = selection.b;
   if (editor_.is_fixed(a) || editor_.is_fixed(b)) return;
   const std::size_t mark = editor_.mark();
   const int sign_a = mesh_.valence(a) - 4, sign_b = mesh_.valence(b) - 4;
   if (sign_a * sign_b < 0) {
     const auto [three, five] = sign_a < 0 ? std::pair(a, b) : std::pair(b, a);
     mesh::PairTransport transport(editor_);
-    const auto helpers = mesh::usual_helpers(editor_, distances_, three, five);
+    const std::vector<VertexId> helpers =
+        selection.helpers.empty() ? mesh::usual_helpers(editor_, distances_, three, five) : selection.helpers;
     const mesh::Cancellation result = mesh::cancel_pair(editor_, transport, three, five, helpers,
                                                         [this](std::size_t made) { shape_.fit_transport(made); });
     Offer offer;
     offer.name = "cancel";
     offer.why = words(result.refusal, result.obstacles);
+    offer.help = what_helps(result.refusal, result.obstacles);
+    offer.helpers = helpers;
     offer.effect = "both become regular; third vertices move by " + std::to_string(result.transports) +
                    (result.transports == 1 ? " edge" : " edges");
     add_offer(mark, std::move(offer));
@@ -118,6 +143,7 @@ void Session::offer_complementary(VertexId a, VertexId b) {
     Offer offer;
     offer.name = name;
     offer.why = words(result.refusal);
+    offer.help = what_helps(result.refusal, {});
     if (offer.is_legal() && result.moves == 0) offer.why = "a separatrix joins them already";
     if (offer.is_legal()) {
       offer.after = {result.frame.v1, result.frame.v2};
@@ -141,6 +167,7 @@ void Session::offer_atomic(const Selection& selection) {
     offer.name = to_string(choice.operation.name) + " from " + std::to_string(number(mesh_.origin(along))) + " to " +
                  std::to_string(number(mesh_.target(along)));
     offer.why = words(choice.refusal);
+    offer.help = what_helps(choice.refusal, {});
     if (offer.is_legal()) {
       const mesh::AtomicReport report = mesh::perform(editor_, choice.operation);
       for (const mesh::ValenceChange& c : report.changes) {
@@ -158,8 +185,18 @@ void Session::offer_basic(const BasicOperation& operation, const std::string& na
   const std::size_t mark = editor_.mark();
   Offer offer;
   offer.name = name;
-  offer.why = words(editor_.run(operation).refusal);
+  const Refusal refusal = editor_.run(operation).refusal;
+  offer.why = words(refusal);
+  offer.help = what_helps(refusal, {});
   add_offer(mark, std::move(offer));
+}
+
+void Session::offer_feature(VertexId a, VertexId b) {
+  Offer offer;
+  offer.feature = !features_.edges.is_edge(a, b);
+  offer.name = *offer.feature ? "make it a feature" : "make it no feature";
+  offer.effect = *offer.feature ? "edits keep the edge" : "edits may change the edge";
+  add_offer(editor_.mark(), std::move(offer));
 }
 
 Refusal Session::offer_all(const Selection& selection) {
@@ -173,7 +210,7 @@ Refusal Session::offer_all(const Selection& selection) {
     case Selection::Kind::pair: {
       const Refusal refusal = offer_moves(selection.a, selection.b);
       if (refusal != Refusal::none) return refusal;
-      offer_complementary(selection.a, selection.b);
+      offer_complementary(selection);
       break;
     }
     case Selection::Kind::edge: {
@@ -181,7 +218,9 @@ Refusal Session::offer_all(const Selection& selection) {
       if (!h.valid()) h = mesh_.find_half_edge(selection.b, selection.a);
       offer_basic({Kind::flip_ccw, h, {}, 0}, "flip counter-clockwise");
       offer_basic({Kind::flip_cw, h, {}, 0}, "flip clockwise");
-      if (!mesh_.is_boundary(h)) offer_atomic(selection);
+      if (mesh_.is_boundary(h)) break;
+      offer_atomic(selection);
+      offer_feature(selection.a, selection.b);
       break;
     }
     case Selection::Kind::quad:
@@ -199,6 +238,21 @@ Refusal Session::offer_all(const Selection& selection) {
   return Refusal::none;
 }
 
+void Session::advise(const Selection& selection, Refusal refusal) {
+  if (refusal == EditRefusal::wrong_valences) offered_.hint = "Choose two irregular vertices, each a v3 or a v5.";
+  if (refusal == EditRefusal::touches_boundary) offered_.hint = "Choose a vertex inside the mesh.";
+  if (selection.kind == Selection::Kind::vertex && irregular_.count(selection.a) != 0)
+    offered_.hint = "A second irregular vertex makes a pair, which can move. A single one cannot (Theorem 7.1).";
+  const bool any = std::any_of(offered_.list.begin(), offered_.list.end(), [](const Offer& o) { return o.is_legal(); });
+  if (selection.kind != Selection::Kind::pair || refusal != Refusal::none || any) return;
+  for (const VertexId v : nearest_irregular(selection.a, 2)) {
+    if (v != selection.b && !offered_.third.valid()) offered_.third = v;
+  }
+  offered_.hint = offered_.third.valid() ? "A third irregular vertex can help, " + name_of(offered_.third) +
+                                               " is the nearest: move one of the two with it first, and come back."
+                                         : "There is no third irregular vertex, which could help.";
+}
+
 const Offers& Session::offers(const Selection& selection) {
   if (offered_to_ == selection) return offered_;
   offered_ = {};
@@ -206,13 +260,7 @@ const Offers& Session::offers(const Selection& selection) {
   const Refusal refusal = offer_all(selection);
   offered_to_ = selection;
   offered_.why = words(refusal);
-  if (refusal == EditRefusal::wrong_valences) offered_.hint = "Choose two irregular vertices, each a v3 or a v5.";
-  if (refusal == EditRefusal::touches_boundary) offered_.hint = "Choose a vertex inside the mesh.";
-  if (selection.kind == Selection::Kind::vertex && irregular_.count(selection.a) != 0)
-    offered_.hint = "A second irregular vertex makes a pair, which can move. A single one cannot (Theorem 7.1).";
-  const bool any = std::any_of(offered_.list.begin(), offered_.list.end(), [](const Offer& o) { return o.is_legal(); });
-  if (selection.kind == Selection::Kind::pair && refusal == Refusal::none && !any)
-    offered_.hint = "A third irregular vertex can help: move one of the two with it first, and come back.";
+  advise(selection, refusal);
   return offered_;
 }
 
@@ -224,20 +272,29 @@ std::string Session::words_for(const Selection& s, const std::string& name) cons
   }
 }
 
-std::string Session::perform(const Selection& selection, const std::string& name) {
+std::string Session::perform(const Selection& selection, const std::string& name, const Watch& watch) {
   const Offers& all = offers(selection);
   const auto offer = std::find_if(all.list.begin(), all.list.end(), [&name](const Offer& o) { return o.name == name; });
   if (offer == all.list.end())
     return all.list.empty() && !all.why.empty() ? all.why : "this is not among the edits of the selection";
   if (!offer->is_legal()) return offer->why;
-  const std::string done = words_for(selection, name);
-  const std::size_t begin = editor_.mark();
-  for (const Edit& edit : offered_edits_[static_cast<std::size_t>(offer - all.list.begin())]) editor_.redo(edit);
-  shape_.fit_since(begin);
-  steps_.push_back({done, begin, editor_.mark()});
-  undone_steps_.clear();
-  undone_edits_.clear();
-  note_changes(touched_by(steps_.back()));
+  std::string done = words_for(selection, name);
+  if (offer->feature) {
+    mesh::FeatureSet edges;
+    for (const auto& [a, b] : features()) {
+      if (*offer->feature || std::set{a, b} != std::set{selection.a, selection.b}) edges.insert(a, b);
+    }
+    if (*offer->feature) edges.insert(selection.a, selection.b);
+    return change_features(std::move(edges), std::move(done));
+  }
+  Step step{std::move(done), editor_.mark(), 0};
+  for (const Edit& edit : offered_edits_[static_cast<std::size_t>(offer - all.list.begin())]) {
+    editor_.redo(edit);
+    if (watch && edit.operates) watch(touched_by({"", editor_.mark() - 1, editor_.mark()}).quads);
+  }
+  shape_.fit_since(step.begin);
+  reduction_.reset();
+  finish_step(std::move(step));
   return "";
 }
 

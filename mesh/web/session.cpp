@@ -6,7 +6,6 @@
 
 #include "mesh/editing/carried_attributes.hpp"
 #include "mesh/editing/script.hpp"
-#include "mesh/files/feature_edges.hpp"
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/diagnosis.hpp"
@@ -30,18 +29,21 @@ Session::Session(mesh::Surface input)
     : input_(std::move(input)),
       mesh_(input_.mesh),
       positions_(input_.positions),
-      editor_(mesh_, &features_, &positions_, &plan_),
+      editor_(mesh_, &features_.edges, &positions_, &features_.plan),
       shape_(editor_) {
   const mesh::FeatureEdges seams = mesh::texture_seams(input_);
   if (!mesh::has_texture_by_faces(input_, seams)) {
-    for (const auto& [a, b] : seams) features_.insert(a, b);
+    for (const auto& [a, b] : seams) features_.edges.insert(a, b);
   }
-  plan_ = mesh::plan_by_angles(mesh_, features_, positions_);
+  features_.plan = mesh::plan_by_angles(mesh_, features_.edges, positions_);
   const mesh::Diagnosis diagnosis = mesh::diagnose(mesh_, positions_);
   boundary_loops_ = diagnosis.boundary_loops;
   genus_ = diagnosis.genus;
   for (const VertexId v : mesh::irregular_vertices(mesh_)) irregular_.insert(v);
-  changes_.everything = true;
+  for (const FaceId f : mesh_.faces()) {
+    if (is_inverted(f)) inverted_.insert(f);
+  }
+  changes_.everything = changes_.features = true;
 }
 
 Description Session::describe() const {
@@ -55,8 +57,12 @@ Description Session::describe() const {
     ++d.irregular[valence];
     d.index_sum += 4 - valence;
   }
+  d.inverted = static_cast<int>(inverted_.size());
+  d.features = static_cast<int>(features_.edges.size());
   return d;
 }
+
+bool Session::is_inverted(FaceId f) const { return mesh::is_inverted(mesh::scaled_jacobian(mesh_, positions_, f)); }
 
 int Session::number(VertexId v) const {
   if (numbers_.empty()) {
@@ -94,6 +100,21 @@ std::vector<std::vector<VertexId>> Session::separatrices(VertexId v) const {
     for (const HalfEdgeId g : mesh::trace(mesh_, h).path) path.push_back(mesh_.target(g));
   });
   return paths;
+}
+
+std::vector<std::vector<VertexId>> Session::boundary() const {
+  std::vector<std::vector<VertexId>> loops;
+  std::vector<bool> met(static_cast<std::size_t>(mesh_.vertex_capacity()), false);
+  for (const VertexId start : mesh_.vertices()) {
+    if (!mesh_.is_boundary(start) || met[start.slot()]) continue;
+    std::vector<VertexId>& loop = loops.emplace_back();
+    for (HalfEdgeId h = mesh_.out(start); !met[mesh_.origin(h).slot()]; h = mesh_.next_on_boundary(h)) {
+      met[mesh_.origin(h).slot()] = true;
+      loop.push_back(mesh_.origin(h));
+    }
+    loop.push_back(start);
+  }
+  return loops;
 }
 
 Session::Rectangle Session::rectangle(VertexId a, VertexId b) const {
@@ -163,76 +184,7 @@ bool Session::is_live(const Selection& s) const {
   return false;
 }
 
-// --- steps -----------------------------------------------------------------------------------------------------------
-
-Session::Touched Session::touched_by(const Step& step) const {
-  Touched touched;
-  for (std::size_t i = step.begin; i < step.end; ++i) {
-    const Edit& edit = editor_.edits()[i];
-    for (const VertexId v : edit.changed) {
-      if (v.valid()) touched.vertices.push_back(v);
-    }
-    for (const mesh::Placement& p : edit.placements) touched.vertices.push_back(p.vertex);
-    for (const FaceId f : {edit.made_face(), edit.removed_face()}) {
-      if (f.valid()) touched.quads.push_back(f);
-    }
-  }
-  sort_once(touched.vertices);
-  return touched;
-}
-
-void Session::note_changes(const Touched& touched) {
-  const auto& [vertices, quads] = touched;
-  for (const VertexId v : vertices) {
-    if (mesh_.is_live(v) && mesh::is_irregular(mesh_, v)) {
-      irregular_.insert(v);
-    } else {
-      irregular_.erase(v);
-    }
-  }
-  numbers_.clear();
-  offered_to_.reset();
-  if (changes_.everything) return;
-  changes_.vertices.insert(changes_.vertices.end(), vertices.begin(), vertices.end());
-  changes_.quads.insert(changes_.quads.end(), quads.begin(), quads.end());
-  const std::vector<FaceId> round = faces_round(mesh_, vertices);
-  changes_.quads.insert(changes_.quads.end(), round.begin(), round.end());
-  sort_once(changes_.vertices);
-  sort_once(changes_.quads);
-}
-
-bool Session::undo() {
-  if (steps_.empty()) return false;
-  const Step step = steps_.back();
-  const Touched touched = touched_by(step);
-  const auto first = editor_.edits().begin() + static_cast<std::ptrdiff_t>(step.begin);
-  undone_edits_.emplace_back(first, editor_.edits().end());
-  editor_.roll_back(step.begin);
-  undone_steps_.push_back(step);
-  steps_.pop_back();
-  note_changes(touched);
-  return true;
-}
-
-bool Session::redo() {
-  if (undone_steps_.empty()) return false;
-  const Step step = undone_steps_.back();
-  for (const Edit& edit : undone_edits_.back()) editor_.redo(edit);
-  undone_steps_.pop_back();
-  undone_edits_.pop_back();
-  steps_.push_back(step);
-  note_changes(touched_by(step));
-  return true;
-}
-
-std::vector<std::string> Session::lines(const Step& step) const {
-  std::vector<std::string> lines;
-  for (std::size_t i = step.begin; i < step.end; ++i) {
-    const Edit& edit = editor_.edits()[i];
-    if (edit.operates) lines.push_back(to_string(edit.operation));
-  }
-  return lines;
-}
+// --- results ---------------------------------------------------------------------------------------------------------
 
 std::string Session::script() const {
   return mesh::to_string(mesh::record_script(input_.mesh, input_.positions, editor_));

@@ -1,10 +1,8 @@
 // What the editor in the browser asks of the library: open a mesh, say what can be done, show what it would do, do it,
 // undo it, and write the result. The page draws and listens; everything that knows quads is here.
 //
-// Terms
-//   selection   what the user has chosen: a vertex, a pair of vertices, an edge or a quad.
-//   offer       an edit of the selection, by its name, with its effect; or with the reason why it is refused.
-//   step        an edit that was made, with the fit around it. undo() undoes one step.
+// Terms (and those of offer.hpp)
+//   step        an edit that was made, with the fit around it; or a change of the features. undo() undoes one step.
 //   number      of a vertex: the one that it has in the file of the present mesh, counted from 1, as requad-edit counts.
 //
 // Laws
@@ -14,16 +12,19 @@
 //          nothing.
 //   web-3  The steps are edits of requad-edit. `requad-edit apply` makes the exported mesh of the input and the exported
 //          script, byte by byte. (Of transports that are equally short, cancel may take another one than requad-edit.)
-// Features are the seams of texture coordinates, as for requad-edit without options.
+// At the start the features are the seams of texture coordinates, as for requad-edit without options.
 //
-// Costs: an offer and a step cost what their operations cost, whatever the size of the mesh; the numbers of vertices are
-// counted once after each step, O(V). open(), script() and export_obj() are linear in the mesh.
+// Costs: an offer and a step cost what their operations cost, whatever the size of the mesh; but the numbers of vertices
+// are counted once after each step, and inverted quads in its fit, O(V). Opening, features, script() and export_obj() are
+// linear in the mesh.
 #pragma once
 
-#include <array>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,48 +32,12 @@
 
 #include "mesh/editing/editor.hpp"
 #include "mesh/editing/shape_keeper.hpp"
+#include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
 #include "mesh/topology/distances.hpp"
+#include "mesh/web/offer.hpp"
 
 namespace requad::web {
-
-using mesh::FaceId;
-using mesh::VertexId;
-
-struct Selection {
-  enum class Kind { vertex, pair, edge, quad };
-  Kind kind = Kind::vertex;
-  VertexId a;  // the vertex, or the first of two
-  VertexId b;  // of a pair or an edge
-  FaceId quad;
-
-  friend bool operator==(const Selection&, const Selection&) = default;
-};
-
-// From where a vertex of the selection moves to, in space. Both are equal if it stays.
-struct Arrow {
-  Eigen::Vector3d from;
-  Eigen::Vector3d to;
-};
-
-struct Offer {
-  std::string name;  // one of its kind in the selection: "slide_first", "move-v3 flip left to 149"
-  std::string why;   // the reason of a refusal; empty if the edit can be made, and only then the rest has a meaning
-  std::string effect;
-  mesh::EditCounts counts;
-  std::vector<VertexId> vertices;  // of the present mesh, by id: those that would have another valence or be gone
-  std::vector<FaceId> quads;       // of the present mesh, by id: those that would have other corners or be gone
-  std::vector<Arrow> arrows;       // one for each vertex of a pair that moves
-  std::array<VertexId, 2> after;   // where the vertices of a pair would be; none for one that would be regular
-
-  bool is_legal() const { return why.empty(); }
-};
-
-struct Offers {
-  std::string why;   // why nothing at all is offered; else empty
-  std::string hint;  // what would help then
-  std::vector<Offer> list;
-};
 
 struct Description {
   int vertices = 0;
@@ -81,6 +46,8 @@ struct Description {
   int genus = 0;
   std::map<int, int> irregular;  // the number of irregular vertices of each valence
   int index_sum = 0;             // of 4 - l(v) over the irregular vertices, which no edit inside the mesh changes
+  int inverted = 0;
+  int features = 0;  // edges
   // So many irregular vertices of valence 3 and 5 there must be with this sum: |index_sum|.
   int least_irregular() const { return index_sum < 0 ? -index_sum : index_sum; }
 };
@@ -88,14 +55,24 @@ struct Description {
 // What changed since it was asked last, for the screen. A quad that is listed may be gone.
 struct Changes {
   bool everything = false;  // a mesh was opened; the lists are empty
+  bool features = false;    // they are others, too
   std::vector<VertexId> vertices;
   std::vector<FaceId> quads;
+};
+
+// What edits keep, and how many quads lie beside it.
+struct Features {
+  mesh::FeatureSet edges;
+  mesh::SectorPlan plan;
 };
 
 struct Step {
   std::string words;      // what was done, for the history
   std::size_t begin = 0;  // its first edit, as Editor::mark() counts
   std::size_t end = 0;    // that after its last one
+  // If it changes the features: those before it and after it.
+  std::shared_ptr<const Features> before = nullptr;
+  std::shared_ptr<const Features> after = nullptr;
 };
 
 class Session {
@@ -121,6 +98,8 @@ class Session {
   std::vector<VertexId> nearest_irregular(VertexId v, int most);
   // The vertices of the separatrices of v; of all its straight paths if v is regular.
   std::vector<std::vector<VertexId>> separatrices(VertexId v) const;
+  // The boundary, loop by loop; the first vertex comes last again. No edit changes it.
+  std::vector<std::vector<VertexId>> boundary() const;
   // The quads of R_alpha and the vertices round it; empty without a rectangle.
   struct Rectangle {
     std::vector<FaceId> quads;
@@ -135,12 +114,39 @@ class Session {
   // The edits of a selection:
   //   vertex  the atomic operations of section 5 at it
   //   pair    the moves of section 6, or transports if the pair spans no rectangle; merging, aligning, cancelling
-  //   edge    the two flips, and the atomic operations along it
+  //   edge    the two flips, the atomic operations along it, and to make it a feature edge or an ordinary one
   //   quad    the two collapses
   // The offers stay valid until the next step, undo or redo, or until others are asked for.
   const Offers& offers(const Selection& selection);
-  // Makes the edit of this name and smooths around it. Returns "", or why it was refused: nothing changes then.
-  std::string perform(const Selection& selection, const std::string& name);
+  // Makes the edit of this name and fits what lies around it. Returns "", or why it was refused: nothing changes then.
+  // `watch` is told after each operation of it: the quads that it changed, made or removed.
+  using Watch = std::function<void(std::span<const FaceId>)>;
+  std::string perform(const Selection& selection, const std::string& name, const Watch& watch = {});
+
+  // Steps that need no offer. Each returns "", or why it was refused.
+  //
+  // Smooths the vertices within so many edges of these and keeps the shape; all vertices if there are none. It is
+  // refused if more quads would be inverted then. About 0.1 ms for each vertex.
+  std::string smooth(std::span<const VertexId> centres, int rings);
+  // Makes these edges the features, in place of those that there are. Edits of fixed vertices count quads anew.
+  std::string set_features(const mesh::FeatureEdges& edges);
+  // Replays a script on the mesh that was opened. Throws FileError if it belongs to another mesh.
+  std::string apply(std::string_view script, const std::string& name);
+
+  mesh::FeatureEdges features() const { return features_.edges.edges(); }
+  // The edges that bend by so many degrees or more.
+  mesh::FeatureEdges sharp(double degrees) const { return mesh::sharp_edges(mesh_, positions_, degrees); }
+
+  // Cancels pairs step by step, the cheapest first (irregular/reduce.hpp), until so many irregular vertices are left or
+  // none can be cancelled; each cancellation is a step. The mesh stays within the deviation (of its diagonal; negative:
+  // no bound) from what it is now. Any other step, and undo(), end the reduction.
+  void start_reduction(int until, double deviation);
+  // Works for some milliseconds. Precondition: a reduction runs.
+  enum class Slice { working, cancelled, ended };
+  Slice reduce();
+  // Fits what was touched, as a last step, and ends the reduction. Steps that went too far are undone.
+  void finish_reduction();
+  bool reduces() const { return reduction_ != nullptr; }
 
   const std::vector<Step>& steps() const { return steps_; }          // done, the first one first
   const std::vector<Step>& undone() const { return undone_steps_; }  // the one to redo next comes last
@@ -157,35 +163,43 @@ class Session {
 
  private:
   struct Outcome;
+  struct Reduction;
   // What the edits of a step changed.
   struct Touched {
     std::vector<VertexId> vertices;
-    std::vector<FaceId> quads;  // made or removed
+    std::vector<FaceId> quads;  // at these, made or removed
   };
   // Each makes edits of the selection in turn, adds an offer for each, and rolls it back.
   mesh::Refusal offer_all(const Selection& selection);
   mesh::Refusal offer_moves(VertexId a, VertexId b);
-  void offer_complementary(VertexId a, VertexId b);
+  void offer_complementary(const Selection& selection);
   void offer_atomic(const Selection& selection);
   void offer_basic(const mesh::BasicOperation& operation, const std::string& name);
+  void offer_feature(VertexId a, VertexId b);
+  void advise(const Selection& selection, mesh::Refusal refusal);
   void add_offer(std::size_t mark, Offer offer);
   Outcome outcome_since(std::size_t mark) const;
   void compare(const Outcome& outcome, Offer& offer) const;
   Touched touched_by(const Step& step) const;
   void note_changes(const Touched& touched);
+  void finish_step(Step step);
+  void take_features(const std::shared_ptr<const Features>& features);
+  std::string change_features(mesh::FeatureSet edges, std::string words);
+  void take_over(const Reduction& reduction, std::string words);
+  bool is_inverted(FaceId f) const;
   std::string words_for(const Selection& selection, const std::string& name) const;
 
   mesh::Surface input_;
   mesh::QuadMesh mesh_;
   mesh::Positions positions_;
-  mesh::FeatureSet features_;
-  mesh::SectorPlan plan_;
+  Features features_;
   mesh::Editor editor_;
   mesh::ShapeKeeper shape_;
   mesh::BreadthFirstDistances distances_;
   int boundary_loops_ = 0;
   int genus_ = 0;
   std::set<VertexId> irregular_;
+  std::set<FaceId> inverted_;
   mutable std::vector<int> numbers_;  // by vertex slot; empty if they are to be counted anew
   std::optional<Selection> offered_to_;
   Offers offered_;
@@ -193,6 +207,7 @@ class Session {
   std::vector<Step> steps_;
   std::vector<Step> undone_steps_;
   std::vector<std::vector<mesh::Edit>> undone_edits_;  // of the undone steps
+  std::shared_ptr<Reduction> reduction_;
   Changes changes_;
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/files/write_obj.hpp"
+#include "mesh/geometry/diagnosis.hpp"
 #include "mesh/topology/validate.hpp"
 #include "mesh/web/scene.hpp"
 #include "mesh/web/session.hpp"
@@ -131,6 +132,7 @@ TEST_CASE("law web-1: an offer shows exactly what is then done", "[session]") {
           REQUIRE_FALSE(offer.effect.empty());
         const std::vector<VertexId> irregular = irregular_vertices(session.mesh());
         REQUIRE(std::vector<VertexId>(session.irregular().begin(), session.irregular().end()) == irregular);
+        REQUIRE(session.describe().inverted == diagnose(session.mesh(), session.positions()).inverted);
         REQUIRE(session.undo());
         REQUIRE(session.mesh() == before);
         REQUIRE(same_live_positions(before, positions, session.positions()));
@@ -374,7 +376,8 @@ TEST_CASE("law web-4: the scene that is updated is the one that is made anew", "
     const web::Scene fresh(session.mesh(), session.positions());
     const std::size_t quads = static_cast<std::size_t>(std::min(scene.quad_capacity(), fresh.quad_capacity()));
     REQUIRE(scene.quad_capacity() >= session.mesh().face_capacity());
-    REQUIRE(std::equal(scene.corners().begin(), scene.corners().begin() + static_cast<std::ptrdiff_t>(24 * quads),
+    REQUIRE(std::equal(scene.corners().begin(),
+                       scene.corners().begin() + static_cast<std::ptrdiff_t>(web::Scene::kFloats * quads),
                        fresh.corners().begin()));
     REQUIRE(std::equal(scene.triangles().begin(), scene.triangles().begin() + static_cast<std::ptrdiff_t>(6 * quads),
                        fresh.triangles().begin()));

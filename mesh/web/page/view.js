@@ -1,113 +1,9 @@
 // The mesh on the screen: drawing by three.js, turning, and pointing. Nothing here knows what an edit is.
 
-const kShades = `
-  vec3 shade(vec3 colour, vec3 normal) {
-    float light = 0.62 + 0.38 * abs(normalize(normal).z);
-    return colour * light;
-  }`;
-
-// Quads with their edges, which are found by the corner coordinates (0 and 1 at the corners).
-const kQuadShaders = {
-  vertexShader: `
-    attribute vec2 place;
-    attribute float tint;
-    attribute float quad;
-    varying vec2 vPlace;
-    varying vec3 vNormal;
-    varying float vTint;
-    varying float vQuad;
-    void main() {
-      vPlace = place;
-      vNormal = normalMatrix * normal;
-      vTint = tint;
-      vQuad = quad;
-      gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-    }`,
-  fragmentShader: `
-    uniform vec3 colours[5];
-    uniform vec3 back;
-    uniform vec3 edge;
-    varying vec2 vPlace;
-    varying vec3 vNormal;
-    varying float vTint;
-    ${kShades}
-    void main() {
-      int kind = int(vTint + 0.5);
-      vec3 colour = kind == 1 ? colours[1] : kind == 2 ? colours[2] : kind == 3 ? colours[3] : kind == 4 ? colours[4] : colours[0];
-      if (!gl_FrontFacing && kind == 0) colour = back;
-      colour = shade(colour, vNormal);
-      vec2 width = fwidth(vPlace);
-      vec2 near = min(vPlace, 1.0 - vPlace) / max(width, vec2(1e-6));
-      float line = 1.0 - smoothstep(0.4, 1.2, min(near.x, near.y));
-      // Where edges are closer than some pixels they would hide the quads.
-      float room = clamp(0.35 / max(max(width.x, width.y), 1e-6), 0.0, 1.0);
-      gl_FragColor = vec4(mix(colour, edge, line * room * 0.85), 1.0);
-    }`,
-};
-
-// The number of what is drawn, as a colour: quads with alpha 1, markers with alpha 1/2.
-const kIdColour = `
-  vec4 number_as_colour(float number, float alpha) {
-    float low = mod(number, 256.0);
-    float middle = mod(floor(number / 256.0), 256.0);
-    return vec4(low, middle, floor(number / 65536.0), alpha * 255.0) / 255.0;
-  }`;
-
-// Irregular vertices: a triangle for a v3, a pentagon for a v5 and so on; a diamond for a v2.
-const kMarkerShaders = {
-  vertexShader: `
-    attribute float valence;
-    attribute float number;
-    attribute float chosen;
-    uniform float size;
-    uniform float lift;
-    varying float vValence;
-    varying float vNumber;
-    varying float vChosen;
-    void main() {
-      vValence = valence;
-      vNumber = number;
-      vChosen = chosen;
-      vec4 at = modelViewMatrix * vec4(position, 1.0);
-      at.z += lift;
-      gl_Position = projectionMatrix * at;
-      gl_PointSize = size * (chosen > 0.5 ? 1.5 : 1.0);
-    }`,
-  fragmentShader: `
-    uniform vec3 v2;
-    uniform vec3 v3;
-    uniform vec3 v5;
-    uniform vec3 v6;
-    uniform vec3 rim;
-    varying float vValence;
-    varying float vChosen;
-    float polygon(vec2 p, float corners) {
-      float part = 6.2831853 / corners;
-      float angle = atan(p.x, -p.y);  // a corner on top
-      return cos(floor(0.5 + angle / part) * part - angle) * length(p) / cos(0.5 * part);
-    }
-    void main() {
-      vec2 p = vec2(2.0, -2.0) * (gl_PointCoord - 0.5);
-      float valence = floor(vValence + 0.5);
-      p.y += valence == 3.0 ? 0.2 : 0.0;
-      float reach = valence == 2.0 ? abs(p.x) + abs(p.y) / 0.62 : polygon(p, valence);
-      reach /= 0.92;
-      if (reach > 1.0) discard;
-      vec3 colour = valence == 2.0 ? v2 : valence == 3.0 ? v3 : valence == 5.0 ? v5 : v6;
-      float inside = vChosen > 0.5 ? 0.6 : 0.78;
-      gl_FragColor = vec4(reach > inside ? rim : colour, 1.0);
-    }`,
-};
-
-function pickShaders(shaders, number, alpha) {
-  return {
-    vertexShader: shaders.vertexShader,
-    fragmentShader: `
-      varying float ${number};
-      ${kIdColour}
-      void main() { gl_FragColor = number_as_colour(${number}, ${alpha}); }`,
-  };
-}
+const kQuadColours = ["back", "edge", "dark", "wrong"];
+const kMarkerColours = ["v2", "v3", "v5", "v6", "rim", "help"];
+const kPaints = ["plain", "quality", "checkerboard", "stripes"];
+const kFloats = 28;  // of a quad: for each of its four corners position, normal and paint
 
 class View {
   // `canvas` fills its parent.
@@ -124,17 +20,21 @@ class View {
     this.capacity = 0;
     this.uploaded = 0;  // bytes, since the page was opened
     this.tinted = [];
+    this.playing = null;
     const quads = {
       side: THREE.DoubleSide, extensions: {derivatives: true},
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     };
     this.material = new THREE.ShaderMaterial({
       ...kQuadShaders, ...quads,
-      uniforms: {colours: {value: Array.from({length: 5}, () => new THREE.Color())}, back: {value: new THREE.Color()}, edge: {value: new THREE.Color()}},
+      uniforms: {colours: {value: Array.from({length: 5}, () => new THREE.Color())}, paint: {value: 0},
+                 ...Object.fromEntries(kQuadColours.map((name) => [name, {value: new THREE.Color()}]))},
     });
     this.pickMaterial = new THREE.ShaderMaterial({...pickShaders(kQuadShaders, "vQuad", "1.0"), ...quads});
-    const colours = Object.fromEntries(["v2", "v3", "v5", "v6", "rim"].map((name) => [name, {value: new THREE.Color()}]));
-    this.markerUniforms = {...colours, size: {value: 18}, lift: {value: 0}};
+    const colours = Object.fromEntries(kMarkerColours.map((name) => [name, {value: new THREE.Color()}]));
+    this.markerUniforms = {
+      ...colours, size: {value: 18}, lift: {value: 0}, digits: {value: digitTexture()}, numbered: {value: 0},
+    };
     this.markerMaterial = new THREE.ShaderMaterial({...kMarkerShaders, uniforms: this.markerUniforms});
     this.markerPickMaterial = new THREE.ShaderMaterial({
       ...pickShaders(kMarkerShaders, "vNumber", "0.5"),
@@ -145,8 +45,9 @@ class View {
     this.markers = new THREE.Points(new THREE.BufferGeometry(), this.markerMaterial);
     this.markers.frustumCulled = false;
     this.lines = new THREE.Group();
+    this.edges = new THREE.Group();  // the boundary and features, which change seldom
     this.arrows = new THREE.Group();
-    this.scene.add(this.mesh, this.markers, this.lines, this.arrows);
+    this.scene.add(this.mesh, this.markers, this.lines, this.edges, this.arrows);
     this.pickWindow = new THREE.WebGLRenderTarget(33, 33);
     this.ray = new THREE.Raycaster();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -176,7 +77,7 @@ class View {
     const ratio = this.renderer.getPixelRatio();
     this.markerUniforms.size.value = 20 * ratio;
     const size = this.renderer.getSize(new THREE.Vector2());
-    for (const line of this.lines.children) line.material.resolution.copy(size);
+    for (const line of this.lines.children.concat(this.edges.children)) line.material.resolution.copy(size);
     this.renderer.render(this.scene, this.camera);
     this.drawn = (this.drawn || 0) + 1;
   }
@@ -186,9 +87,8 @@ class View {
     this.renderer.setClearColor(new THREE.Color(colour("canvas")));
     this.material.uniforms.colours.value =
         ["quad", "alpha", "chosen", "change", "change-strong"].map((name) => new THREE.Color(colour(name)));
-    this.material.uniforms.back.value.set(colour("back"));
-    this.material.uniforms.edge.value.set(colour("edge"));
-    for (const name of ["v2", "v3", "v5", "v6", "rim"]) this.markerUniforms[name].value.set(colour(name));
+    for (const name of kQuadColours) this.material.uniforms[name].value.set(colour(name));
+    for (const name of kMarkerColours) this.markerUniforms[name].value.set(colour(name));
     this.draw();
   }
 
@@ -196,11 +96,13 @@ class View {
 
   // Uploads all arrays, for a mesh that was opened or has outgrown its buffers.
   setMesh(library, capacity) {
+    this.finish();
     this.capacity = capacity;
     const geometry = new THREE.BufferGeometry();
-    this.corners = new THREE.InterleavedBuffer(library.corners(capacity).slice(), 6);
+    this.corners = new THREE.InterleavedBuffer(library.corners(capacity).slice(), kFloats / 4);
     geometry.setAttribute("position", new THREE.InterleavedBufferAttribute(this.corners, 3, 0));
     geometry.setAttribute("normal", new THREE.InterleavedBufferAttribute(this.corners, 3, 3));
+    geometry.setAttribute("paint", new THREE.InterleavedBufferAttribute(this.corners, 1, 6));
     const place = new Float32Array(capacity * 8), quad = new Float32Array(capacity * 4);
     for (let i = 0; i < capacity; ++i) {
       place.set([0, 0, 1, 0, 1, 1, 0, 1], 8 * i);
@@ -216,7 +118,7 @@ class View {
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
     this.tinted = [];
-    this.uploaded += capacity * (4 * 6 + 6 + 8 + 4 + 4) * 4;
+    this.uploaded += capacity * (kFloats + 6 + 8 + 4 + 4) * 4;
     this.draw();
   }
 
@@ -228,24 +130,71 @@ class View {
     buffer.onUpload(() => { buffer.handle = gl.getParameter(binding); });
   }
 
-  write(buffer, target, offset, values) {
-    buffer.array.set(values, offset);
-    if (!buffer.handle) return;  // three.js uploads all of it when it draws next
+  // Writes `size` values for each of these quads, which are in order. Neighbours go in one call, for calls are slow.
+  write(buffer, target, size, quads, values) {
     const gl = this.renderer.getContext();
-    gl.bindBuffer(target, buffer.handle);
-    gl.bufferSubData(target, 4 * offset, values);
-    this.uploaded += 4 * values.length;
+    if (buffer.handle) gl.bindBuffer(target, buffer.handle);
+    for (let i = 0, j = 0; i < quads.length; i = j) {
+      while (j < quads.length && quads[j] === quads[i] + j - i) ++j;
+      const run = values.subarray(size * i, size * j);
+      buffer.array.set(run, size * quads[i]);
+      if (!buffer.handle) continue;  // three.js uploads all of it when it draws next
+      gl.bufferSubData(target, 4 * size * quads[i], run);
+      this.uploaded += 4 * run.length;
+    }
   }
 
-  // Uploads these quads.
-  updateQuads(library, quads) {
+  // Uploads these quads: {quads, corners, triangles}, with kFloats and six numbers for each of them. The quads are in
+  // order. `triangles` may be missing.
+  writeQuads({quads, corners, triangles}) {
     const gl = this.renderer.getContext();
-    const corners = library.corners(this.capacity), triangles = library.triangles(this.capacity);
+    this.write(this.corners, gl.ARRAY_BUFFER, kFloats, quads, corners);
+    if (triangles) this.write(this.triangles, gl.ELEMENT_ARRAY_BUFFER, 6, quads, triangles);
     // The index buffer belongs to the vertex array that is bound; none may be.
-    for (const f of quads) this.write(this.corners, gl.ARRAY_BUFFER, 24 * f, corners.subarray(24 * f, 24 * f + 24));
-    for (const f of quads) this.write(this.triangles, gl.ELEMENT_ARRAY_BUFFER, 6 * f, triangles.subarray(6 * f, 6 * f + 6));
     this.renderer.state.reset();
     this.draw();
+  }
+
+  // --- motion --------------------------------------------------------------------------------------------------------
+
+  // Shows frames one after the other: {quads, corners, triangles, ms, begin}. Quads go from where they are to the corners
+  // of the frame in this time; `begin` is called before. `ended` is called after the last one.
+  play(frames, ended) {
+    this.finish();
+    this.playing = {frames: [...frames], ended, from: null, start: 0};
+    requestAnimationFrame((now) => this.advance(now));
+  }
+  advance(now) {
+    const playing = this.playing;
+    if (!playing) return;
+    const frame = playing.frames[0];
+    if (!frame) return this.finish();
+    if (!playing.from) {
+      playing.start = now;
+      playing.from = new Float32Array(frame.corners.length);
+      frame.quads.forEach((f, i) => {
+        playing.from.set(this.corners.array.subarray(kFloats * f, kFloats * (f + 1)), kFloats * i);
+      });
+      this.writeQuads({...frame, corners: playing.from});
+      if (frame.begin) frame.begin();
+    }
+    const t = Math.min(1, (now - playing.start) / Math.max(frame.ms, 1));
+    const part = t * t * (3 - 2 * t);
+    const corners = t === 1 ? frame.corners : playing.from.map((x, i) => x + part * (frame.corners[i] - x));
+    this.writeQuads({quads: frame.quads, corners});
+    if (t === 1) {
+      playing.frames.shift();
+      playing.from = null;
+    }
+    requestAnimationFrame((later) => this.advance(later));
+  }
+  // Shows the end of what is played at once.
+  finish() {
+    if (!this.playing) return;
+    const {frames, ended} = this.playing;
+    this.playing = null;
+    for (const frame of frames) this.writeQuads(frame);
+    ended();
   }
 
   // Tints quads: a list of [quads, kind], of which later ones win. All others lose theirs.
@@ -255,20 +204,22 @@ class View {
       for (const f of quads) kinds.set(f, kind);
     }
     const gl = this.renderer.getContext();
-    for (const [f, kind] of kinds) this.write(this.tint, gl.ARRAY_BUFFER, 4 * f, new Float32Array(4).fill(kind));
+    const quads = [...kinds.keys()].sort((f, g) => f - g);
+    const values = Float32Array.from({length: 4 * quads.length}, (_, i) => kinds.get(quads[i >> 2]));
+    this.write(this.tint, gl.ARRAY_BUFFER, 4, quads, values);
     this.tinted = [...kinds].filter(([, kind]) => kind !== 0).map(([f]) => f);
     this.renderer.state.reset();
     this.draw();
   }
 
-  // Irregular vertices: [{id, valence, at}]; those in `chosen` are larger.
-  setMarkers(vertices, chosen) {
+  // Irregular vertices: [{id, valence, at}]; those in `chosen` are larger, and those in `helpers`, with another rim.
+  setMarkers(vertices, chosen, helpers) {
     const geometry = new THREE.BufferGeometry();
     const column = (values, size) => new THREE.BufferAttribute(new Float32Array(values), size);
     geometry.setAttribute("position", column(vertices.flatMap((v) => v.at), 3));
     geometry.setAttribute("valence", column(vertices.map((v) => v.valence), 1));
     geometry.setAttribute("number", column(vertices.map((v) => v.id), 1));
-    geometry.setAttribute("chosen", column(vertices.map((v) => (chosen.includes(v.id) ? 1 : 0)), 1));
+    geometry.setAttribute("chosen", column(vertices.map((v) => (chosen.includes(v.id) ? 1 : helpers.includes(v.id) ? 0.5 : 0)), 1));
     this.markers.geometry.dispose();
     this.markers.geometry = geometry;
     this.draw();
@@ -287,8 +238,8 @@ class View {
   }
 
   // Polylines: a list of [paths, colour, width in pixels]; a path is a list of points.
-  setLines(lists) {
-    this.clear(this.lines);
+  setLines(lists, group = this.lines) {
+    this.clear(group);
     for (const [paths, colour, width] of lists) {
       const positions = [];
       for (const path of paths) {
@@ -303,7 +254,7 @@ class View {
       });
       const line = new THREE.LineSegments2(geometry, material);
       line.frustumCulled = false;
-      this.lines.add(line);
+      group.add(line);
     }
     this.draw();
   }
@@ -376,6 +327,23 @@ class View {
     this.draw();
   }
 
+  // Looks at these points from outside, so near that edges of this length can be told apart.
+  approach(points, length) {
+    const middle = points.reduce((sum, p) => sum.add(new THREE.Vector3(...p)), new THREE.Vector3())
+        .multiplyScalar(1 / points.length);
+    const outward = middle.clone().sub(this.centre);
+    if (outward.length() < 1e-9 * this.radius) outward.copy(this.camera.position).sub(this.controls.target);
+    const reach = 5 * length + Math.max(...points.map((p) => middle.distanceTo(new THREE.Vector3(...p))));
+    const distance = reach / Math.sin((Math.PI / 180) * 15) / Math.min(1, this.camera.aspect);
+    this.controls.minDistance = Math.min(this.controls.minDistance, distance / 4);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(outward.normalize().multiplyScalar(distance));
+    this.camera.near = Math.min(this.camera.near, distance / 20);
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
   // Turns so that these points are in front, if they are not in view.
   show(points) {
     if (points.length === 0) return;
@@ -398,12 +366,18 @@ class View {
     this.draw();
   }
   depthAt(quad) {
-    const at = this.corners.array.subarray(24 * quad, 24 * quad + 3);
+    const at = this.corners.array.subarray(kFloats * quad, kFloats * quad + 3);
     return this.camera.position.distanceTo(new THREE.Vector3(...at));
   }
   inside({x, y}) {
     const box = this.canvas.getBoundingClientRect();
     return x > 0 && y > 0 && x < box.width && y < box.height;
+  }
+
+  // The picture as a PNG.
+  picture() {
+    this.render();
+    return new Promise((done) => this.canvas.toBlob(done, "image/png"));
   }
 
   // Where a point is on the canvas, in CSS pixels.
@@ -422,6 +396,7 @@ class View {
     const box = this.canvas.getBoundingClientRect();
     this.camera.updateMatrixWorld();
     this.ray.setFromCamera({x: 2 * x / box.width - 1, y: 1 - 2 * y / box.height}, this.camera);
+    this.arrows.updateMatrixWorld(true);  // of arrows that are not drawn yet, too
     const [arrow] = this.ray.intersectObjects(this.arrows.children, true);
     if (arrow) return {kind: "arrow", tag: arrow.object.userData.tag};
     const [red, green, blue, alpha] = this.numberAt(x, y);
@@ -439,7 +414,7 @@ class View {
     this.camera.setViewOffset(box.width, box.height, Math.floor(x) - (size - 1) / 2, Math.floor(y) - (size - 1) / 2, size, size);
     this.mesh.material = this.pickMaterial;
     this.markers.material = this.markerPickMaterial;
-    this.lines.visible = this.arrows.visible = false;
+    this.lines.visible = this.edges.visible = this.arrows.visible = false;
     this.renderer.setRenderTarget(this.pickWindow);
     this.renderer.setClearColor(0, 0);
     this.renderer.clear();
@@ -447,7 +422,7 @@ class View {
     this.renderer.readRenderTargetPixels(this.pickWindow, (size - 1) / 2, (size - 1) / 2, 1, 1, pixel);
     this.renderer.setRenderTarget(null);
     this.renderer.setClearColor(before, 1);
-    this.lines.visible = this.arrows.visible = true;
+    this.lines.visible = this.edges.visible = this.arrows.visible = true;
     this.mesh.material = this.material;
     this.markers.material = this.markerMaterial;
     this.camera.clearViewOffset();
