@@ -96,7 +96,10 @@ async function followLink() {
       const bytes = await through(Uint8Array.from(letters, (c) => c.charCodeAt(0)), new DecompressionStream("deflate-raw"));
       replay(bytes, "link");
     }
-    if (chosen) chooseByNumber(chosen.replace("+", " "));
+    if (chosen) {
+      chooseByNumber(chosen.replace("+", " "));
+      approach();
+    }
   } catch (error) {
     fail("The link is broken: its script cannot be read.");
   }
