@@ -184,7 +184,9 @@ void Browser::note(const json& event) {
     complaints_.push_back("console: " + what["args"].dump());
   }
   if (method == "Log.entryAdded" && (what["entry"]["level"] == "error" || what["entry"]["level"] == "warning")) {
-    complaints_.push_back("log: " + what["entry"]["text"].get<std::string>());
+    const std::string text = what["entry"]["text"];
+    // What a driver thinks of its own speed is no complaint.
+    if (text.find("GL Driver Message (OpenGL, Performance") == std::string::npos) complaints_.push_back("log: " + text);
   }
   if (method == "Network.requestWillBeSent") {
     const std::string url = what["request"]["url"];

@@ -130,15 +130,17 @@ class View {
     buffer.onUpload(() => { buffer.handle = gl.getParameter(binding); });
   }
 
-  // Writes `size` values for each of these quads, which are in order. Neighbours go in one call, for calls are slow.
+  // Writes `size` values for each of these quads, which are in order. Those near each other go in one call, with what lies
+  // between them, for calls are slow.
   write(buffer, target, size, quads, values) {
+    const kGap = 16;
+    quads.forEach((f, i) => buffer.array.set(values.subarray(size * i, size * (i + 1)), size * f));
+    if (!buffer.handle) return;  // three.js uploads all of it when it draws next
     const gl = this.renderer.getContext();
-    if (buffer.handle) gl.bindBuffer(target, buffer.handle);
-    for (let i = 0, j = 0; i < quads.length; i = j) {
-      while (j < quads.length && quads[j] === quads[i] + j - i) ++j;
-      const run = values.subarray(size * i, size * j);
-      buffer.array.set(run, size * quads[i]);
-      if (!buffer.handle) continue;  // three.js uploads all of it when it draws next
+    gl.bindBuffer(target, buffer.handle);
+    for (let i = 0, j = 1; i < quads.length; i = j, ++j) {
+      while (j < quads.length && quads[j] <= quads[j - 1] + kGap) ++j;
+      const run = buffer.array.subarray(size * quads[i], size * (quads[j - 1] + 1));
       gl.bufferSubData(target, 4 * size * quads[i], run);
       this.uploaded += 4 * run.length;
     }
