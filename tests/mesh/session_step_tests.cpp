@@ -56,7 +56,7 @@ TEST_CASE("features are steps: edits keep them, and undo gives the former ones b
   CHECK_FALSE(session.set_features(sharp).empty());
   CHECK(session.steps().size() == 1);
   // By hand: one becomes an ordinary edge, and is one again after undo.
-  const auto [a, b] = sharp.front();
+  const VertexId a = sharp.front()[0], b = sharp.front()[1];
   const auto refused = [&] {
     int count = 0;
     for (const Offer& offer : session.offers(an_edge(a, b)).list)
