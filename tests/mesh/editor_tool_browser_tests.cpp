@@ -268,7 +268,7 @@ TEST_CASE("in a browser, the meshes of Figures 16, 17 and 18 are repaired by cli
     CAPTURE(numbers, name);
     editing.choose(numbers);
     if (!helpers.empty()) {
-      editing.browser.click("document.getElementById('helpers-text')");
+      editing.evaluate("document.getElementById('helpers').open = true");
       editing.press("helping");
       editing.press("closer");
     }

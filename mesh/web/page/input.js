@@ -133,6 +133,7 @@ function listenToButtons() {
   on("helping", "click", () => {
     state.helping = !state.helping;
     showHelpers();
+    draw();
   });
   on("usual-helpers", "click", () => chooseHelpers([]));
   on("time", "input", () => goTo(Number($("time").value)));

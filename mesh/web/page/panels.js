@@ -42,7 +42,9 @@ function showEffect(offer) {
   view.setTints(tints);
   if (view.playing) return;
   const arrows = [];
-  state.legal.forEach((other, index) => {
+  // While third vertices are chosen, no arrow is in front of them.
+  const offered = state.helping ? [] : state.legal;
+  offered.forEach((other, index) => {
     for (const [from, to] of other.arrows)
       arrows.push({from, to, colour: arrowColour(other), tag: index, faint: offer !== null && other !== offer});
   });
