@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/commands/commands.hpp"
-#include "figures/commands/page_options.hpp"
 #include "figures/graph_files.hpp"
 #include "figures/pictures/catalogue.hpp"
+#include "figures/pictures/paper_pictures.hpp"
+#include "mesh/files/surface.hpp"
+#include "mesh/files/text_scanner.hpp"
+#include "mesh/pictures/page_options.hpp"
 #include "mesh/program/progress.hpp"
 
 namespace requad::figures {
@@ -47,6 +50,17 @@ program::Option for_figures(program::Option option) {
   });
 }
 
+// The text of a file that bench/shape has written. Throws UsageError.
+std::string curve_text(const std::string& path) {
+  std::string text = mesh::read_text(path);
+  try {
+    if (parse_curves(text).empty()) throw UsageError("--curve: " + path + " has no curves");
+  } catch (const nlohmann::json::exception&) {
+    throw UsageError("--curve: " + path + " has no curves; expected a file that `bench/shape --curve` has written");
+  }
+  return text;
+}
+
 Choices choices_of(const Options& options) {
   Choices choices;
   if (options.has("side")) choices.side = static_cast<int>(options.integer("side", 0, 3, 40));
@@ -57,6 +71,14 @@ Choices choices_of(const Options& options) {
     for (std::size_t i = 0; i < 4; ++i) (*choices.pair_region)[i] = static_cast<int>(numbers[i]);
   }
   if (options.has("sides")) choices.sides = options.integers("sides", 1, 40);
+  if (options.has("mesh")) {
+    const std::string path = options.text("mesh");
+    mesh::Surface surface = mesh::read_surface(path, false);
+    if (surface.mesh.face_count() == 0) throw UsageError("--mesh: " + path + " has no face");
+    choices.mesh = {path == "-" ? "mesh" : std::filesystem::path(path).stem().string(),
+                    std::make_shared<mesh::Surface>(std::move(surface))};
+  }
+  if (options.has("curve")) choices.curve = curve_text(options.text("curve"));
   return choices;
 }
 
@@ -262,6 +284,10 @@ program::Command pictures_command() {
       for_figures(program::value("pair-region", "D1,D2,M,N",
                                  "for figure 12: R_alpha is D1 x D2, the grid M x N (default 2,1,4,3)")),
       for_figures(program::value("sides", "E1,...,E6", "for the hexagon (default 4,5,4,4,5,4)")),
+      for_figures(program::input("curve", "FILE", "for deviation: other curves, as `bench/shape --curve` writes them")),
+      for_figures(program::input("mesh", "IN",
+                                 "for figure 19: the mesh to reduce, an OBJ or OFF file of quads; takes as "
+                                 "long as `requad-edit reduce`")),
   };
   for (program::Option& option : page_options(chosen_formats, has_labels)) options.push_back(std::move(option));
   options.push_back(program::only_if(
@@ -274,15 +300,19 @@ program::Command pictures_command() {
       .usage = {"[--figure ID]... [--format F]... [-o DIR]"},
       .summary = "writes figures into a folder",
       .text = R"(Figures:
+  1 15 19         meshes in space whose irregular vertices cancel
   2 3 4 5 6 7 8   operations before and after
+  9               the moves of pairs as arrows on meshes in space
   10              3-3 pairs in regular digons of side L and L-1; each node shows
                   the mesh of its configuration
   11              5-5 pairs in regular hexagons of side L and L-1, as half cubes
   12              a 3-5 pair in a region, as a grid
   13 14           turns, smallest regions, separatrices, strips and sides
+  16 17 18        defects of meshes in space, repaired step by step
   dual-10 dual-11 the two grids over each other
   unfolded-11     the half cube laid flat
   hexagon         the grid of any hexagon
+  deviation       irregular vertices against deviation, as bench/shape measured
   octagon         the (L-1)^2 places of a single v8
 10, 11, 12, dual-10, dual-11, unfolded-11 and hexagon are graphs.
 )",
@@ -293,6 +323,7 @@ program::Command pictures_command() {
               "requad-figures --figure 12 --width 85mm --palette print -o figure.pdf",
               "requad-figures --figure 14 --width 504pt --format tikz",
               "requad-figures --figure 10 --format dot && neato -n2 -Tpng figure-10.dot > figure-10.png",
+              "requad-figures --figure 19 --mesh mesh/examples/figure-1.obj -o stages.pdf",
               "requad-figures --figure hexagon --sides 3,4,5,4,3,5 --format pdf",
           },
       .options = std::move(options),

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "figures/grid_figure.hpp"
+#include "mesh/files/surface.hpp"
 #include "mesh/pictures/canvas.hpp"
 
 namespace requad::figures {
@@ -18,6 +20,12 @@ struct Choices {
   std::optional<int> side;                            // of regular regions
   std::optional<std::array<int, 4>> pair_region;      // d1, d2, M, N of figure 12
   std::optional<std::vector<theory::Integer>> sides;  // of the hexagon
+  struct Mesh {
+    std::string name;  // for files: "spot"
+    std::shared_ptr<const mesh::Surface> surface;
+  };
+  std::optional<Mesh> mesh;          // that is reduced
+  std::optional<std::string> curve;  // the JSON of bench/shape
 };
 
 struct Picture {
@@ -26,13 +34,13 @@ struct Picture {
 };
 
 struct CatalogueEntry {
-  const char* id;     // "2", ..., "14", "dual-10", ...: what --figure takes
+  const char* id;     // "1", ..., "19", "dual-10", ...: what --figure takes
   const char* paper;  // the paper's figure, or ""
   const char* title;
   const char* caption;  // Markdown, one paragraph, which holds for all sizes
   bool is_grid;
   bool has_labels;     // whether it has labels (mesh/pictures/canvas.hpp)
-  const char* choice;  // what of Choices it takes, as an option of requad-figures: "side", "pair-region", "sides" or ""
+  const char* choice;  // what of Choices it takes, as an option of requad-figures: "side", ..., or ""
   int usual_side;      // if it takes a side
   std::function<Picture(const Choices&, int side)> maker;
 

@@ -29,20 +29,28 @@ struct Sheet::Layout {
   std::vector<Box> boxes;                       // of the meshes with their words
 };
 
-std::size_t Sheet::add(Panel panel, int row, double column) {
-  MeshPicture picture(panel.region, Point::Zero(), panel.unit, panel.angle);
-  cells_.push_back({std::move(panel), picture.centred(), row, column});
+Cell cell(Panel panel) {
+  const MeshPicture picture = MeshPicture(panel.region, Point::Zero(), panel.unit, panel.angle).centred();
+  Cell cell{picture.high() - picture.low(), {}, panel.words, panel.margin};
+  cell.paint = [picture, panel = std::move(panel)](Canvas& canvas, const Point& centre) {
+    paint_panel(canvas, panel, picture.moved(centre));
+  };
+  return cell;
+}
+
+std::size_t Sheet::add(Cell cell, int row, double column) {
+  cells_.push_back({std::move(cell), row, column});
   return cells_.size() - 1;
 }
 
 Sheet::Layout Sheet::layout(const Canvas& canvas) const {
   const double em = canvas.em();
-  const auto margin = [&](const Cell& cell) { return cell.panel.margin ? cell.panel.margin(canvas) : Point(0, 0); };
+  const auto margin = [&](const Cell& cell) { return cell.margin ? cell.margin(canvas) : Point(0, 0); };
   double pitch = 0;
-  for (const Cell& cell : cells_) {
-    pitch = std::max(pitch, cell.size().x() + 2 * margin(cell).x() + column_gap_);
+  for (const auto& [cell, row, column] : cells_) {
+    pitch = std::max(pitch, cell.size.x() + 2 * margin(cell).x() + column_gap_);
     // No word may be wider than a column.
-    for (const std::string& word : canvas.caption_lines(cell.panel.words, 0))
+    for (const std::string& word : canvas.caption_lines(cell.words, 0))
       pitch = std::max(pitch, canvas.width_of(word) + em);
   }
   struct Row {
@@ -51,10 +59,10 @@ Sheet::Layout Sheet::layout(const Canvas& canvas) const {
   };
   std::map<int, Row> rows;
   Layout result;
-  for (const Cell& cell : cells_) {
-    result.words.push_back(canvas.caption_lines(cell.panel.words, pitch - 1.5 * em));
-    Row& row = rows[cell.row];
-    row.height = std::max(row.height, cell.size().y() + 2 * margin(cell).y());
+  for (const Placed& placed : cells_) {
+    result.words.push_back(canvas.caption_lines(placed.cell.words, pitch - 1.5 * em));
+    Row& row = rows[placed.row];
+    row.height = std::max(row.height, placed.cell.size.y() + 2 * margin(placed.cell).y());
     row.lines = std::max(row.lines, result.words.back().size());
   }
   double top = 0;
@@ -65,12 +73,12 @@ Sheet::Layout Sheet::layout(const Canvas& canvas) const {
     top = row.bottom - words - row_gap_;
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const Cell& cell = cells_[i];
-    const Row& row = rows.at(cell.row);
-    const Point centre(cell.column * pitch, row.middle);
+    const Placed& placed = cells_[i];
+    const Row& row = rows.at(placed.row);
+    const Point centre(placed.column * pitch, row.middle);
     result.centres.push_back(centre);
     result.baselines.push_back(row.bottom - 1.5 * em);
-    Layout::Box box{centre - cell.size() / 2, centre + cell.size() / 2};
+    Layout::Box box{centre - placed.cell.size / 2, centre + placed.cell.size / 2};
     if (!result.words[i].empty())
       box.low.y() = result.baselines[i] - canvas.line_height() * static_cast<double>(result.words[i].size() - 1);
     result.boxes.push_back(box);
@@ -102,8 +110,7 @@ Paint Sheet::paint() const {
   return [sheet = *this](Canvas& canvas) {
     const Layout layout = sheet.layout(canvas);
     for (std::size_t i = 0; i < sheet.cells_.size(); ++i) {
-      const Cell& cell = sheet.cells_[i];
-      paint_panel(canvas, cell.panel, cell.picture.moved(layout.centres[i]));
+      sheet.cells_[i].cell.paint(canvas, layout.centres[i]);
       canvas.caption({layout.centres[i].x(), layout.baselines[i]}, layout.words[i]);
     }
     for (const auto& [from, to] : sheet.arrows_) sheet.paint_arrow(canvas, layout, from, to);

@@ -20,10 +20,6 @@ using mesh::VertexId;
 
 namespace {
 
-constexpr Colour kQuad = rgb(0xf1ede2);
-constexpr Colour kDarkQuad = rgb(0x8fb0c6);
-constexpr Colour kBack = rgb(0xb59f86);
-constexpr Colour kInverted = rgb(0xf08fb4);
 constexpr double kGap = 24;  // points between meshes
 constexpr double kFine = 1.0 / 64;
 
@@ -145,8 +141,12 @@ SpacePicture::SpacePicture(const SpaceSubject& subject, const View& view, const 
     facet.diagonal = mesh::same_bits(half[0], subject.positions[corners[0].slot()]) ? 0 : 1;
     const Vector3d normal = frame_ * mesh::face_normal(m, subject.positions, f);
     const bool inverted = mesh::is_inverted(mesh::scaled_jacobian(m, subject.positions, f));
-    quad.front = shaded(inverted ? kInverted : checkerboard && second[f.slot()] ? kDarkQuad : kQuad, lighting(normal));
-    quad.back = shaded(inverted ? kInverted : kBack, lighting(-normal));
+    quad.front = inverted                           ? &Palette::inverted
+                 : checkerboard && second[f.slot()] ? &Palette::dark_quad
+                                                    : &Palette::quad;
+    quad.back = inverted ? &Palette::inverted : &Palette::back;
+    quad.front_light = lighting(normal);
+    quad.back_light = lighting(-normal);
     facets.push_back(facet);
     quads_.push_back(quad);
   }
@@ -162,17 +162,20 @@ SpacePicture::SpacePicture(const SpaceSubject& subject, const View& view, const 
   }
 }
 
-void SpacePicture::paint(Canvas& canvas) const {
+double SpacePicture::mark_radius() const { return std::clamp(0.35 * edge_, 2.4, 4.6); }
+
+void SpacePicture::paint(Canvas& canvas, const Point& by) const {
   canvas.round_to(kFine);
   const Stroke thin{canvas.palette().line, std::clamp(0.05 * edge_, 0.06, 0.5)};
   const double bold = std::clamp(5 * thin.width, 0.6, 1.6);
   for (const Piece& piece : surface_.pieces()) {
     const Quad& quad = quads_[static_cast<std::size_t>(piece.facet)];
-    const Colour colour = piece.front ? quad.front : quad.back;
+    const Colour colour = piece.front ? shaded(canvas.palette().*quad.front, quad.front_light)
+                                      : shaded(canvas.palette().*quad.back, quad.back_light);
     Polyline outline;
     bool whole = true;
     for (const Piece::Corner& c : piece.outline) {
-      outline.push_back(c.at);
+      outline.push_back(c.at + by);
       whole = whole && c.side >= 0;
     }
     // A thin line in the colour of the quad joins a part to the others.
@@ -188,9 +191,8 @@ void SpacePicture::paint(Canvas& canvas) const {
       canvas.stroke({{outline[k], outline[(k + 1) % outline.size()]}}, stroke);
     }
   }
-  const double radius = std::clamp(0.35 * edge_, 2.4, 4.6);
-  for (const Mark& mark : marks_) mark_vertex(canvas, mark.at, mark.valence, radius);
-  canvas.caption({(low_.x() + high_.x()) / 2, low_.y() - 2 * canvas.em()},
+  for (const Mark& mark : marks_) mark_vertex(canvas, mark.at + by, mark.valence, mark_radius());
+  canvas.caption(Point((low_.x() + high_.x()) / 2, low_.y() - 2 * canvas.em()) + by,
                  canvas.caption_lines(words_, high_.x() - low_.x() + kGap / 2));
 }
 

@@ -51,14 +51,22 @@ class SpacePicture {
   SpacePicture(const SpaceSubject& subject, const View& view, const Eigen::Vector3d& origin, Point centre, double scale,
                bool checkerboard);
 
-  void paint(Canvas& canvas) const;
+  // Paints the picture, moved on the page by a vector.
+  void paint(Canvas& canvas, const Point& by = Point::Zero()) const;
+  // Where a point of space lies on the page, and whether the mesh hides it.
+  Point at(const Eigen::Vector3d& p) const { return projected(p).head<2>(); }
+  bool hides(const Eigen::Vector3d& p) const { return surface_.covers(projected(p)); }
+  // The radius of an irregular vertex's mark.
+  double mark_radius() const;
   Point low() const { return low_; }    // lower left corner of the bounding box
   Point high() const { return high_; }  // upper right corner
 
  private:
   enum class Line : char { plain, feature, boundary };
   struct Quad {
-    Colour front, back;
+    Colour Palette::*front;
+    Colour Palette::*back;
+    double front_light, back_light;
     std::array<Line, 4> sides;
   };
   struct Mark {

@@ -28,6 +28,10 @@ Palette grey() {
   p.made_sign = rgb(0x000000);
   p.deleted = rgb(0xbcbcbc);
   p.deleted_sign = rgb(0x000000);
+  p.quad = rgb(0xf4f4f4);
+  p.dark_quad = rgb(0xa8a8a8);
+  p.back = rgb(0x8c8c8c);
+  p.inverted = rgb(0x505050);
   p.first_star = rgb(0xffffff);
   p.second_star = rgb(0x303030);
   p.convex = rgb(0x303030);
@@ -52,6 +56,8 @@ Palette print() {
   p.stay = rgb(0xe6f1f8);
   p.made = rgb(0xfbf3a4);
   p.deleted = rgb(0xe39373);
+  p.quad = rgb(0xf8f5ec);
+  p.dark_quad = rgb(0x7aa3bf);
   p.convex = rgb(0x00456e);
   p.concave = rgb(0xc24f00);
   p.second_star = rgb(0xa84600);

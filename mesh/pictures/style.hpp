@@ -55,6 +55,11 @@ struct Palette {
   Colour made_sign = rgb(0x5c5400);
   Colour deleted = rgb(0xf0a080);
   Colour deleted_sign = rgb(0x6e1d00);
+  // Meshes in space, before the light falls on them.
+  Colour quad = rgb(0xf1ede2);
+  Colour dark_quad = rgb(0x8fb0c6);  // of a checkerboard
+  Colour back = rgb(0xb59f86);
+  Colour inverted = rgb(0xf08fb4);
   // Points.
   Colour first_star = rgb(0xf0e442);
   Colour second_star = rgb(0xd55e00);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <regex>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -221,7 +222,7 @@ TEST_CASE("the frame of a view is orthogonal and right-handed", "[pictures][spac
   CHECK((View{0, 0, true}.frame() * Vector3d::UnitZ()).isApprox(Vector3d::UnitY(), 1e-12));
 }
 
-TEST_CASE("requad-edit draw writes SVG, PDF and PNG", "[pictures][space][programs]") {
+TEST_CASE("requad-edit draw writes SVG, PDF, PNG and TikZ", "[pictures][space][programs]") {
   spill(scratch() / "cube.obj", kDrawnCube);
   spill(scratch() / "flat.obj", "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 0 1 1\nf 1 2 3 4\n");
   const auto drawn = [](const std::string& arguments, const std::string& file) {
@@ -249,6 +250,22 @@ TEST_CASE("requad-edit draw writes SVG, PDF and PNG", "[pictures][space][program
   CHECK(occurrences(twice, blue) == 14);
   CHECK(twice.find("viewBox") != std::string::npos);
 
+  // The options of a page, which requad-figures has, too.
+  const std::string narrow = drawn("cube.obj --width 85mm --real-text --font serif --font-size 7", "narrow.svg");
+  CHECK(narrow.find(" width=\"240.94") != std::string::npos);
+  CHECK(narrow.find("<title>cube.obj</title>") != std::string::npos);
+  CHECK(narrow.find("<g font-family=\"serif\">") != std::string::npos);
+  CHECK(occurrences(narrow, "font-size=\"7\"") == 1);
+  CHECK(occurrences(drawn("cube.obj --real-text --no-captions", "bare.svg"), "<text") == 0);
+  const std::string grey = drawn("cube.obj --before cube.obj --checkerboard --palette grey", "grey.svg");
+  const std::regex colour("rgb\\(([0-9.]+)%,([0-9.]+)%,([0-9.]+)%\\)");
+  for (std::sregex_iterator it(grey.begin(), grey.end(), colour), end; it != end; ++it) {
+    CHECK((*it)[1] == (*it)[2]);
+    CHECK((*it)[1] == (*it)[3]);
+  }
+  CHECK(drawn("cube.obj --width 300", "cube.tex").find("\\begin{tikzpicture}") != std::string::npos);
+  CHECK(drawn("cube.obj --resolution 72", "coarse.png").size() < drawn("cube.obj", "fine.png").size());
+
   const auto refused = [](const std::string& arguments) {
     const Outcome outcome = call("edit", "draw " + arguments);
     CHECK(outcome.code == 2);
@@ -259,6 +276,9 @@ TEST_CASE("requad-edit draw writes SVG, PDF and PNG", "[pictures][space][program
   CHECK(refused("cube.obj").find("output") != std::string::npos);
   CHECK(refused("cube.obj -o x.svg --view 30").find("two angles") != std::string::npos);
   CHECK(refused("cube.obj -o x.svg --up x").find("up") != std::string::npos);
+  CHECK(refused("cube.obj -o x.svg --width 200 --size 100").find("size") != std::string::npos);
+  CHECK(refused("cube.obj -o x.svg --resolution 300").find("unless the format is png") != std::string::npos);
+  CHECK(refused("cube.obj -o x.svg --width 3").find("is not a width") != std::string::npos);
   CHECK(refused("cube.obj -o x.svg --before none.obj").find("none.obj") != std::string::npos);
 }
 

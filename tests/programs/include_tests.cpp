@@ -45,7 +45,7 @@ const Table kMayInclude{
     {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing"}},
     {"mesh/threads", {}},
     {"mesh/program", {}},
-    {"mesh/pictures", {"mesh/topology", "mesh/geometry", "mesh/files"}},
+    {"mesh/pictures", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/program"}},
     {"mesh/examples", kMesh},
     {"mesh/web", kMesh},
     {"mesh/commands", kMesh + kPlumbing + Rooms{"mesh/pictures"}},

@@ -1,11 +1,11 @@
-#include "figures/commands/page_options.hpp"
+#include "mesh/pictures/page_options.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "mesh/files/fixed_decimals.hpp"
 
-namespace requad::figures {
+namespace requad::pictures {
 
 namespace {
 
@@ -53,7 +53,7 @@ Option for_formats(Option option, const FormatsOf& formats_of, std::vector<std::
 std::vector<Option> page_options(const FormatsOf& formats_of, const std::function<bool(const Options&)>& has_labels) {
   const std::vector<std::string> drawn{"svg", "pdf", "png", "tikz"};
   const auto all = [&](Option option) { return for_formats(std::move(option), formats_of, drawn); };
-  return {
+  std::vector<Option> options{
       all(program::value("width", "W",
                          "the width of the page, as 240pt or 85mm (points if there is no unit); meshes are scaled to "
                          "it, letters are not (default: as the figure needs)")),
@@ -65,10 +65,6 @@ std::vector<Option> page_options(const FormatsOf& formats_of, const std::functio
                          "less where --width makes meshes smaller)")),
       all(program::value("palette", "colour|grey|print",
                          "colours; greys; or colours whose greys differ as well, for paper (default colour)")),
-      program::only_if(all(program::flag("no-labels", "leave out the names of vertices, sides and configurations")),
-                       [has_labels](const Options& options) {
-                         return has_labels(options) ? "" : "--no-labels has no effect: these figures have no labels";
-                       }),
       all(program::flag("no-captions", "leave out the words below panels, and legends")),
       for_formats(program::flag("real-text",
                                 "write letters as text that can be searched and edited; the reader needs the font "
@@ -77,16 +73,24 @@ std::vector<Option> page_options(const FormatsOf& formats_of, const std::functio
       for_formats(program::value("resolution", "DPI", "dots per inch of a PNG, 10..2400 (default 144)"), formats_of,
                   {"png"}),
   };
+  if (has_labels) {
+    options.push_back(
+        program::only_if(all(program::flag("no-labels", "leave out the names of vertices, sides and configurations")),
+                         [has_labels](const Options& given) {
+                           return has_labels(given) ? "" : "--no-labels has no effect: these figures have no labels";
+                         }));
+  }
+  return options;
 }
 
-pictures::Page page_of(const Options& options) {
-  pictures::Page page;
+Page page_of(const Options& options) {
+  Page page;
   if (options.has("width")) page.width = length(options.text("width"), "--width");
   page.style.font = options.text("font", page.style.font);
   if (page.style.font.empty()) throw UsageError("--font: expected the name of a family, as serif");
   page.style.text = options.number("font-size", page.width ? kColumnText : page.style.text, 1, 100);
   page.style.line = options.number("line-width", 0, 0.01, 20);
-  page.style.palette = pictures::palette(options.choice("palette", pictures::palette_names(), "colour"));
+  page.style.palette = palette(options.choice("palette", palette_names(), "colour"));
   page.style.labels = !options.has("no-labels");
   page.style.captions = !options.has("no-captions");
   page.real_text = options.has("real-text");
@@ -98,4 +102,4 @@ pictures::Page page_of(const Options& options) {
   return page;
 }
 
-}  // namespace requad::figures
+}  // namespace requad::pictures
