@@ -48,10 +48,9 @@ std::string CatalogueEntry::file(const Grid& grid) const {
 const std::vector<CatalogueEntry>& catalogue() {
   static const std::vector<CatalogueEntry> entries{
       {"1", "1", "A roof with fewer irregular vertices",
-       "The glass roof of a courtyard, seen from above; below, the same with its panels in two colours. (a) As it was "
-       "designed. (b) Its irregular vertices have cancelled, the cheapest pairs first, and the surface is the same. "
-       "Four "
-       "v5s must stay.",
+       "The glass roof of a courtyard, seen from above; below, the same with its panels in two colours. (a) As it "
+       "was designed. (b) Its irregular vertices have cancelled, the cheapest pairs first, and the surface is the "
+       "same. Four v5s must stay.",
        false, false, "", 0, drawn(paint_roof)},
       {"2", "2", "The three basic operations",
        "A quad collapse merges two opposite corners of a quad. An edge split opens a path of two edges into a quad. "
@@ -86,8 +85,9 @@ const std::vector<CatalogueEntry>& catalogue() {
        "move made those with a plus.",
        false, false, "", 0, drawn(paint_equal_pair_moves)},
       {"9", "9", "The four moves of a pair, as arrows on the mesh",
-       "Each move is a pair of arrows with the same number: from the two vertices of the pair to where the move brings "
-       "them. A 3-5 pair moves as one. The v3s of a 3-3 pair and the v5s of a 5-5 pair move to different sides.",
+       "Each move is a pair of arrows with the same number: from the two vertices of the pair to where the move "
+       "brings them. A 3-5 pair moves as one. The v3s of a 3-3 pair and the v5s of a 5-5 pair move to different "
+       "sides.",
        false, true, "", 0, drawn(paint_pair_on_mesh)},
       {"10", "10", "All configurations of a 3-3 pair in a regular digon",
        "The grid of the even side is solid, that of the odd side dashed. (m,n) are the extents of R_alpha, the grid "
@@ -119,32 +119,26 @@ const std::vector<CatalogueEntry>& catalogue() {
        false, true, "", 0, drawn(paint_separatrices)},
       {"15", "15", "A dome made regular",
        "All panels of a dome run to its top. (1) The v12 is parted into v5s. (2) Each of them cancels with a v3. (3) "
-       "The "
-       "four v3s that must stay are moved until separatrices join them in pairs.",
+       "The four v3s that must stay are moved until separatrices join them in pairs.",
        false, false, "", 0, drawn(paint_dome)},
       {"16", "16", "The corner of a block, repaired",
        "A v3 is an edge away from the corner where it belongs, and a v3 and a v5 are beside it. (1) A quad collapse "
-       "moves "
-       "the v3, which leaves a 3-5 pair behind. (2) The pair is transported to the other two, and all four cancel.",
+       "moves the v3, which leaves a 3-5 pair behind. (2) The pair is transported to the other two, and all four "
+       "cancel.",
        false, false, "", 0, drawn(paint_rounded_block)},
       {"17", "17", "The cap of a cylinder, repaired",
        "One of the four v3s on the cap is not aligned with the others, and a v3 and a v5 are below it. (1) An edge "
-       "flip "
-       "moves the v3, which leaves a 3-5 pair behind. (2) The pair is transported over the rim (black) to the other "
-       "two, "
-       "and all four cancel. The four v3s are the corners of a square.",
+       "flip moves the v3, which leaves a 3-5 pair behind. (2) The pair is transported over the rim (black) to the "
+       "other two, and all four cancel. The four v3s are the corners of a square.",
        false, false, "", 0, drawn(paint_cylinder)},
       {"18", "18", "A v3 on a feature, pulled off",
        "A v3 lies on an edge of the block (black), with a single quad on one side, which is flattened to a triangle. "
-       "(1) A "
-       "3-5 pair movement pulls it off the edge; the edge stays as it is. (2) Now the irregular vertices of that side "
-       "can "
-       "be cancelled.",
+       "(1) A 3-5 pair movement pulls it off the edge; the edge stays as it is. (2) Now the irregular vertices of "
+       "that side can be cancelled.",
        false, false, "", 0, drawn(paint_sharp_block)},
       {"19", "19", "Four stages of a reduction",
-       "Pairs of a v3 and a v5 cancel, the cheapest first. Below, the same stages with a checkerboard "
-       "by greedy colouring: at a v3 or a v5, two neighbours must have the same colour. At genus 0, "
-       "eight v3s must stay.",
+       "Pairs of a v3 and a v5 cancel, the cheapest first. Below, the same stages with a checkerboard by greedy "
+       "colouring: at a v3 or a v5, two neighbours must have the same colour. At genus 0, eight v3s must stay.",
        false, false, "mesh", 0,
        [](const Choices& c, int) {
          return Picture{paint_reduction(c.mesh ? c.mesh->surface.get() : nullptr), {}};
@@ -166,7 +160,7 @@ const std::vector<CatalogueEntry>& catalogue() {
        [](const Choices& c, int) { return grid_picture(hexagon_figure(c.sides.value_or(kHexagonSides))); }},
       {"deviation", "", "Irregular vertices against deviation",
        "How many irregular vertices a reduction of three real meshes leaves, and how far the mesh is from the input "
-       "then, with bounds that rise from 0.1 to 2 percent of the diagonal. `bench/shape --curve` measured it.",
+       "then, with bounds that rise from 0.2 to 2 percent of the diagonal. `bench/shape --curve` measured it.",
        false, true, "curve", 0,
        [](const Choices& c, int) {
          return Picture{paint_deviation(parse_curves(c.curve.value_or(examples::shape))), {}};

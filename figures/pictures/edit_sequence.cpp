@@ -9,7 +9,6 @@
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/irregular/possible_moves.hpp"
-#include "mesh/irregular/reduce.hpp"
 
 namespace requad::figures {
 
@@ -79,17 +78,18 @@ void EditSequence::part() {
   shape_->fit_since(mark);
 }
 
-void EditSequence::align(VertexId a, VertexId b) {
+std::array<VertexId, 2> EditSequence::align(VertexId a, VertexId b) {
   const std::size_t mark = begin();
-  require_performed(mesh::align_pair(editor_, a, b).refusal);
+  const mesh::PairResult result = mesh::align_pair(editor_, a, b);
+  require_performed(result.refusal);
   shape_->fit_since(mark);
+  return {result.frame.v1, result.frame.v2};
 }
 
-std::vector<Stage> EditSequence::reduce(const std::vector<int>& at) {
+std::vector<Stage> EditSequence::reduce(const std::vector<int>& at, mesh::ReduceOptions how) {
   shape_.reset();
   editor_.forget();
   std::vector<Stage> stages;
-  mesh::ReduceOptions how;
   how.progress = [&](int irregular) {
     while (stages.size() < at.size() && irregular <= at[stages.size()]) stages.push_back(stage());
   };

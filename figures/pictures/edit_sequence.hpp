@@ -7,6 +7,7 @@
 // Costs: those of the edits; a copy of the mesh for each stage.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "mesh/editing/shape_keeper.hpp"
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/irregular/reduce.hpp"
 
 namespace requad::figures {
 
@@ -48,10 +50,12 @@ class EditSequence {
   void cancel(mesh::VertexId three, mesh::VertexId five, const std::vector<mesh::VertexId>& helpers);
   // Parts vertices until none has a valence other than 3, 4 and 5.
   void part();
-  void align(mesh::VertexId a, mesh::VertexId b);
+  // Moves a 3-3 or 5-5 pair until a separatrix joins it. Returns the two vertices as they are then.
+  std::array<mesh::VertexId, 2> align(mesh::VertexId a, mesh::VertexId b);
   // Reduces the mesh as far as it goes. Returns the stage at which no more than each of these numbers of irregular
   // vertices were left for the first time; the numbers must fall. A number that is not reached has no stage.
-  std::vector<Stage> reduce(const std::vector<int>& at = {});
+  // `how.progress` is overridden.
+  std::vector<Stage> reduce(const std::vector<int>& at = {}, mesh::ReduceOptions how = {});
 
  private:
   // What the editor had done when an edit begins. Keeps the shape from the first edit on.

@@ -11,10 +11,9 @@ namespace requad::figures {
 namespace {
 
 using Eigen::Vector3d;
-using mesh::HalfEdgeId;
-using mesh::QuadMesh;
 using mesh::VertexId;
 
+constexpr int kRounds = 20;
 constexpr std::array<Colour Palette::*, 4> kColours{&Palette::odd, &Palette::side, &Palette::path, &Palette::ink};
 
 // A region, bent: v3s lie on a dome and v5s on a saddle.
@@ -28,35 +27,19 @@ Stage bent(const mesh::Region& region, double x_bend, double y_bend) {
   return stage;
 }
 
-// From a vertex along the edge that points most in the direction of a vector.
-Vector3d along_edge(const Stage& stage, VertexId v, const Vector3d& direction) {
-  Vector3d best = stage.positions[v.slot()];
-  double most = 0;
-  for (const VertexId w : stage.mesh.neighbours(v)) {
-    const Vector3d edge = stage.positions[w.slot()] - stage.positions[v.slot()];
-    const double dot = edge.normalized().dot(direction);
-    if (dot > most) {
-      most = dot;
-      best = stage.positions[w.slot()];
-    }
-  }
-  return best;
-}
-
-// Each move is made, and seen where it brings the two vertices.
+// Each move is made, with the mesh fitted to the surface, and seen where it brings the two vertices.
 std::vector<SpaceArrow> arrows_of_moves(const Stage& stage, std::array<VertexId, 2> pair) {
   Stage edited = stage;
   mesh::Editor editor(edited.mesh, nullptr, &edited.positions);
+  mesh::ShapeKeeper shape(editor);
   std::vector<SpaceArrow> arrows;
   int number = 0;
   require_performed(mesh::for_each_move(editor, pair[0], pair[1], [&](const mesh::PossibleMove& move) {
     require_performed(move.refusal);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Vector3d& from = stage.positions[pair[i].slot()];
-      const Vector3d by = edited.positions[move.after[i].slot()] - from;
-      arrows.push_back({from, along_edge(stage, pair[i], by), kColours.at(static_cast<std::size_t>(number)),
-                        std::to_string(number + 1)});
-    }
+    shape.fit_since(0, kRounds);
+    for (std::size_t i = 0; i < 2; ++i)
+      arrows.push_back({stage.positions[pair[i].slot()], edited.positions[move.after[i].slot()],
+                        kColours.at(static_cast<std::size_t>(number)), std::to_string(number + 1)});
     ++number;
     return false;
   }));

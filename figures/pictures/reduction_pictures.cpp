@@ -1,6 +1,4 @@
 // Figures 1, 15 and 19: meshes whose irregular vertices cancel.
-#include <algorithm>
-
 #include "figures/pictures/examples.hpp"
 #include "figures/pictures/paper_pictures.hpp"
 #include "figures/pictures/space_panel.hpp"
@@ -26,27 +24,25 @@ Sheet twice(const std::vector<Stage>& stages, const std::vector<std::string>& wo
 
 std::string letter(std::size_t i) { return "(" + std::string(1, static_cast<char>('a' + i)) + ") "; }
 
-// Pairs of v3s that can be aligned, each vertex in one of them: first those that are nearest to each other.
+// Aligns irregular vertices in pairs, first those that are nearest to each other and not yet aligned.
 void align_in_pairs(EditSequence& edits) {
-  for (int round = 0; round < 2; ++round) {
+  std::vector<VertexId> free = mesh::irregular_vertices(edits.stage().mesh);
+  while (free.size() > 1) {
     const Stage now = edits.stage();
-    std::vector<VertexId> vertices = mesh::irregular_vertices(now.mesh);
-    struct Choice {
-      int distance;
-      VertexId a, b;
-    };
-    std::vector<Choice> choices;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
+    int least = 0;
+    std::array<VertexId, 2> nearest;
+    for (std::size_t i = 0; i < free.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        for (const mesh::PairFrame& frame : mesh::find_frames(now.mesh, vertices[i], vertices[j])) {
-          if (!frame.degenerate()) choices.push_back({frame.distance(), vertices[i], vertices[j]});
+        for (const mesh::PairFrame& frame : mesh::find_frames(now.mesh, free[i], free[j])) {
+          if (frame.degenerate() || (least > 0 && frame.distance() >= least)) continue;
+          least = frame.distance();
+          nearest = {free[i], free[j]};
         }
       }
     }
-    if (choices.empty()) return;
-    const auto least = std::min_element(choices.begin(), choices.end(),
-                                        [](const Choice& a, const Choice& b) { return a.distance < b.distance; });
-    edits.align(least->a, least->b);
+    if (least == 0) return;
+    std::erase_if(free, [&](VertexId v) { return v == nearest[0] || v == nearest[1]; });
+    edits.align(nearest[0], nearest[1]);
   }
 }
 
@@ -72,7 +68,7 @@ Paint paint_dome() {
     std::vector<Stage> stages{edits.stage()};
     edits.part();
     stages.push_back(edits.stage());
-    edits.reduce();
+    edits.reduce({}, {.cost = mesh::ReduceCost::curvature, .sweeps = 6});
     stages.push_back(edits.stage());
     align_in_pairs(edits);
     stages.push_back(edits.stage());

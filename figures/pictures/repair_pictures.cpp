@@ -33,7 +33,7 @@ Paint paint_rounded_block() {
     return row(stages,
                {"a v3 beside its corner, and a v3 and a v5", "(1) a quad collapse moves the v3 to the corner",
                 "(2) the 3-5 pair that this left cancels with the other two"},
-               {.azimuth = 32, .elevation = -24});
+               {.azimuth = 32, .elevation = 30, .z_up = true});
   }();
   return paint;
 }
@@ -49,7 +49,7 @@ Paint paint_cylinder() {
     return row(stages,
                {"one of four v3s is not aligned with the others", "(1) an edge flip moves the v3",
                 "(2) the 3-5 pair that this left cancels with the other two"},
-               {.azimuth = 0, .elevation = 55, .z_up = true});
+               {.azimuth = 10, .elevation = 55, .z_up = true});
   }();
   return paint;
 }
@@ -65,7 +65,7 @@ Paint paint_sharp_block() {
     return row(stages,
                {"a v3 on a feature: a quad is flattened to a triangle", "(1) a 3-5 pair movement pulls it off the edge",
                 "(2) what is irregular on this side cancels"},
-               {.azimuth = 20, .elevation = -30});
+               {.azimuth = -25, .elevation = 40, .z_up = true});
   }();
   return paint;
 }

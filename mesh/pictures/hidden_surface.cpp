@@ -314,19 +314,27 @@ const std::vector<Piece>& HiddenSurface::pieces() const { return state_->pieces;
 bool HiddenSurface::covers(const Vector3d& point) const {
   if (state_->cells.empty()) return false;
   const Vector2d at = point.head<2>();
-  for (const int i : state_->cells[state_->row(at.y()) * state_->columns + state_->column(at.x())]) {
-    const Part& part = state_->parts[static_cast<std::size_t>(i)];
-    if (!part.live || part.depth(at) < point.z() + kClearlyBefore) continue;
-    bool inside = true;
-    for (std::size_t k = 0; k < part.outline.size() && inside; ++k) {
-      const Vector2d& p = part.outline[k].at;
-      const Vector2d along = part.outline[(k + 1) % part.outline.size()].at - p;
-      // A diagonal or a cut is no end of the surface.
-      inside = cross(along, at - p) > (part.outline[k].side >= 0 ? kClearlyBefore * along.norm() : -1e-9);
+  // Whether a piece that lies before the point holds this place beside it.
+  const auto is_covered = [&](const Vector2d& place) {
+    for (const int i : state_->cells[state_->row(place.y()) * state_->columns + state_->column(place.x())]) {
+      const Part& part = state_->parts[static_cast<std::size_t>(i)];
+      if (!part.live || part.depth(at) < point.z() + kClearlyBefore) continue;
+      bool inside = true;
+      for (std::size_t k = 0; k < part.outline.size() && inside; ++k) {
+        const Vector2d& p = part.outline[k].at;
+        const Vector2d along = part.outline[(k + 1) % part.outline.size()].at - p;
+        // A diagonal or a cut is no end of the surface.
+        inside = cross(along, place - p) > (part.outline[k].side >= 0 ? kClearlyBefore * along.norm() : -1e-9);
+      }
+      if (inside) return true;
     }
-    if (inside) return true;
-  }
-  return false;
+    return false;
+  };
+  if (is_covered(at)) return true;
+  // A point behind the edge between two pieces is behind neither, but what surrounds it is.
+  constexpr double kBeside = 3 * kClearlyBefore;
+  return is_covered(at + Vector2d(kBeside, kBeside / 2)) && is_covered(at + Vector2d(-kBeside / 2, kBeside)) &&
+         is_covered(at + Vector2d(-kBeside, -kBeside / 2)) && is_covered(at + Vector2d(kBeside / 2, -kBeside));
 }
 
 }  // namespace requad::pictures

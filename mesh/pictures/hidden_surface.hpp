@@ -51,7 +51,7 @@ class HiddenSurface {
 
   // What is to be painted, in the order of painting. The same facets give the same pieces.
   const std::vector<Piece>& pieces() const;
-  // Whether a piece lies before the point, by more than 1/100 point, and does not just touch it. About O(1).
+  // Whether pieces lie before the point, by more than 1/100 point, and do not just touch it. About O(1).
   bool covers(const Eigen::Vector3d& point) const;
 
  private:

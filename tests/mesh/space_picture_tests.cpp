@@ -197,6 +197,22 @@ TEST_CASE("a torus is painted quad by quad, without what it hides", "[pictures][
   CHECK(whole == static_cast<int>(picture.pieces().size()));
 }
 
+TEST_CASE("a point behind the edge or the corner of facets is covered, one at their rim is not", "[pictures][space]") {
+  std::vector<Facet> facets;
+  for (const double x : {0.0, 10.0}) {
+    for (const double y : {0.0, 10.0})
+      facets.push_back({{Vector3d(x, y, 5), {x + 10, y, 5}, {x + 10, y + 10, 5}, {x, y + 10, 5}}, 0});
+  }
+  const HiddenSurface surface(facets);
+  for (const auto& [x, y] : {std::pair{10.0, 10.0}, {10.0, 4.0}, {4.0, 10.0}, {4.0, 4.0}}) {
+    CHECK(surface.covers({x, y, 0}));
+    CHECK(!surface.covers({x, y, 5}));
+    CHECK(!surface.covers({x, y, 6}));
+  }
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.0, 10.0}, {20.0, 4.0}, {20.1, 4.0}})
+    CHECK(!surface.covers({x, y, 0}));
+}
+
 TEST_CASE("a picture of nothing, and of facets seen edge-on, is empty", "[pictures][space]") {
   CHECK(HiddenSurface({}).pieces().empty());
   const HiddenSurface edge_on({plane_facet({Vector3d(0, 0, 0), {10, 0, 0}, {10, 0, 5}, {0, 0, 5}})});
