@@ -127,9 +127,9 @@ const std::vector<CatalogueEntry>& catalogue() {
        "cancel.",
        false, false, "", 0, drawn(paint_rounded_block)},
       {"17", "17", "The cap of a cylinder, repaired",
-       "One of the four v3s on the cap is not aligned with the others, and a v3 and a v5 are below it. (1) An edge "
-       "flip moves the v3, which leaves a 3-5 pair behind. (2) The pair is transported over the rim (black) to the "
-       "other two, and all four cancel. The four v3s are the corners of a square.",
+       "One of the four v3s on the cap is not aligned with the others, and a v3 and a v5 are beside it. (1) An edge "
+       "flip moves the v3, which leaves a 3-5 pair behind. (2) The pair is transported to the other two, and all four "
+       "cancel. The four v3s are the corners of a square. The rims (black) are features, which stay.",
        false, false, "", 0, drawn(paint_cylinder)},
       {"18", "18", "A v3 on a feature, pulled off",
        "A v3 lies on an edge of the block (black), with a single quad on one side, which is flattened to a triangle. "

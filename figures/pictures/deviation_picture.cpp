@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,7 @@ namespace requad::figures {
 
 namespace {
 
-constexpr double kWidth = 340, kHeight = 210;
+constexpr double kPlotWidth = 340, kPlotHeight = 210;
 
 // The least of 1, 2 and 5 times a power of ten that cuts the range into at most so many steps.
 double tick(double range, int most) {
@@ -42,7 +43,7 @@ void paint_mark(Canvas& canvas, const Look& look, Point at, double radius) {
   if (look.corners == 0) return canvas.circle(at, 0.85 * radius, colour, {});
   Polyline corners;
   for (int k = 0; k < look.corners; ++k) {
-    const double angle = 2 * M_PI * (k + look.turned * 2) / look.corners;
+    const double angle = 2 * std::numbers::pi * (k + look.turned * 2) / look.corners;
     corners.push_back(at + radius * Point(std::cos(angle), std::sin(angle)));
   }
   canvas.polygon(corners, colour, {});
@@ -57,19 +58,19 @@ void paint_axes(Canvas& canvas, const Point& range) {
     const double shown = axis == 0 ? 100 * range[axis] : range[axis];
     const double step = tick(shown, 5);
     for (int k = 0; k * step <= shown * (1 + 1e-9); ++k) {
-      const double at = k * step / shown * (axis == 0 ? kWidth : kHeight);
+      const double at = k * step / shown * (axis == 0 ? kPlotWidth : kPlotHeight);
       if (axis == 0) {
-        canvas.stroke({{{at, 0}, {at, kHeight}}}, thin);
+        canvas.stroke({{{at, 0}, {at, kPlotHeight}}}, thin);
         canvas.label({at, -1.2 * em}, mesh::short_decimals(k * step, 3) + " %", ink);
       } else {
-        canvas.stroke({{{0, at}, {kWidth, at}}}, thin);
+        canvas.stroke({{{0, at}, {kPlotWidth, at}}}, thin);
         canvas.label({-0.6 * em, at - 0.35 * em}, mesh::short_decimals(k * step, 3), ink, Anchor::right);
       }
     }
   }
-  canvas.stroke({{{0, kHeight}, {0, 0}, {kWidth, 0}}}, {ink, 1});
-  canvas.label({0, kHeight + 1.1 * em}, "irregular vertices", ink, Anchor::left);
-  canvas.label({kWidth / 2, -2.6 * em}, "Hausdorff distance from the input, of the diagonal", ink);
+  canvas.stroke({{{0, kPlotHeight}, {0, 0}, {kPlotWidth, 0}}}, {ink, 1});
+  canvas.label({0, kPlotHeight + 1.1 * em}, "irregular vertices", ink, Anchor::left);
+  canvas.label({kPlotWidth / 2, -2.6 * em}, "Hausdorff distance from the input, of the diagonal", ink);
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ Paint paint_deviation(const std::vector<Curve>& curves) {
       const Look& look = looks().at(i % looks().size());
       Polyline line;
       for (const Point& p : curves[i].points)
-        line.emplace_back(p.x() / range.x() * kWidth, p.y() / range.y() * kHeight);
+        line.emplace_back(p.x() / range.x() * kPlotWidth, p.y() / range.y() * kPlotHeight);
       canvas.stroke({line}, {canvas.palette().*look.colour, 1.4, look.dashes});
       for (const Point& p : line) paint_mark(canvas, look, p, 3.6);
       legend.push_back({curves[i].name, [look](Canvas& c, Point at, double unit) {
@@ -107,7 +108,7 @@ Paint paint_deviation(const std::vector<Curve>& curves) {
                           paint_mark(c, look, at, 3.6 * unit);
                         }});
     }
-    paint_legend(canvas, legend, {kWidth / 2, -3.6 * canvas.em()}, kWidth);
+    paint_legend(canvas, legend, {kPlotWidth / 2, -3.6 * canvas.em()}, kPlotWidth);
   };
 }
 

@@ -9,6 +9,7 @@
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/irregular/possible_moves.hpp"
+#include "mesh/irregular/reduce.hpp"
 
 namespace requad::figures {
 
@@ -86,10 +87,11 @@ std::array<VertexId, 2> EditSequence::align(VertexId a, VertexId b) {
   return {result.frame.v1, result.frame.v2};
 }
 
-std::vector<Stage> EditSequence::reduce(const std::vector<int>& at, mesh::ReduceOptions how) {
+std::vector<Stage> EditSequence::reduce(const std::vector<int>& at) {
   shape_.reset();
   editor_.forget();
   std::vector<Stage> stages;
+  mesh::ReduceOptions how;
   how.progress = [&](int irregular) {
     while (stages.size() < at.size() && irregular <= at[stages.size()]) stages.push_back(stage());
   };

@@ -16,7 +16,6 @@
 #include "mesh/editing/shape_keeper.hpp"
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
-#include "mesh/irregular/reduce.hpp"
 
 namespace requad::figures {
 
@@ -54,8 +53,7 @@ class EditSequence {
   std::array<mesh::VertexId, 2> align(mesh::VertexId a, mesh::VertexId b);
   // Reduces the mesh as far as it goes. Returns the stage at which no more than each of these numbers of irregular
   // vertices were left for the first time; the numbers must fall. A number that is not reached has no stage.
-  // `how.progress` is overridden.
-  std::vector<Stage> reduce(const std::vector<int>& at = {}, mesh::ReduceOptions how = {});
+  std::vector<Stage> reduce(const std::vector<int>& at = {});
 
  private:
   // What the editor had done when an edit begins. Keeps the shape from the first edit on.

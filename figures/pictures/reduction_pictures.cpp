@@ -66,9 +66,10 @@ Paint paint_dome() {
   static const Paint paint = [] {
     EditSequence edits(examples::dome);
     std::vector<Stage> stages{edits.stage()};
-    edits.part();
-    stages.push_back(edits.stage());
-    edits.reduce({}, {.cost = mesh::ReduceCost::curvature, .sweeps = 6});
+    EditSequence parted(examples::dome);
+    parted.part();
+    stages.push_back(parted.stage());
+    edits.reduce();  // parts the v12 itself
     stages.push_back(edits.stage());
     align_in_pairs(edits);
     stages.push_back(edits.stage());
