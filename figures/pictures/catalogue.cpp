@@ -160,7 +160,7 @@ const std::vector<CatalogueEntry>& catalogue() {
        [](const Choices& c, int) { return grid_picture(hexagon_figure(c.sides.value_or(kHexagonSides))); }},
       {"deviation", "", "Irregular vertices against deviation",
        "How many irregular vertices a reduction of three real meshes leaves, and how far the mesh is from the input "
-       "then, with bounds that rise from 0.2 to 2 percent of the diagonal. `bench/shape --curve` measured it.",
+       "then, with bounds that rise from 0.3 to 2 percent of the diagonal. `bench/shape --curve` measured it.",
        false, true, "curve", 0,
        [](const Choices& c, int) {
          return Picture{paint_deviation(parse_curves(c.curve.value_or(examples::shape))), {}};

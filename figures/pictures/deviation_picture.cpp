@@ -56,7 +56,7 @@ void paint_axes(Canvas& canvas, const Point& range) {
   // Deviations are shown in percent.
   for (const int axis : {0, 1}) {
     const double shown = axis == 0 ? 100 * range[axis] : range[axis];
-    const double step = tick(shown, 5);
+    const double step = tick(shown, 6);
     for (int k = 0; k * step <= shown * (1 + 1e-9); ++k) {
       const double at = k * step / shown * (axis == 0 ? kPlotWidth : kPlotHeight);
       if (axis == 0) {
@@ -70,7 +70,7 @@ void paint_axes(Canvas& canvas, const Point& range) {
   }
   canvas.stroke({{{0, kPlotHeight}, {0, 0}, {kPlotWidth, 0}}}, {ink, 1});
   canvas.label({0, kPlotHeight + 1.1 * em}, "irregular vertices", ink, Anchor::left);
-  canvas.label({kPlotWidth / 2, -2.6 * em}, "Hausdorff distance from the input, of the diagonal", ink);
+  canvas.label({kPlotWidth / 2, -2.6 * em}, "Hausdorff distance from the input, over the diagonal", ink);
 }
 
 }  // namespace
@@ -102,7 +102,9 @@ Paint paint_deviation(const std::vector<Curve>& curves) {
         line.emplace_back(p.x() / range.x() * kPlotWidth, p.y() / range.y() * kPlotHeight);
       canvas.stroke({line}, {canvas.palette().*look.colour, 1.4, look.dashes});
       for (const Point& p : line) paint_mark(canvas, look, p, 3.6);
-      legend.push_back({curves[i].name, [look](Canvas& c, Point at, double unit) {
+      std::string name = curves[i].name;
+      std::replace(name.begin(), name.end(), '_', ' ');  // which would lower the next letter
+      legend.push_back({name, [look](Canvas& c, Point at, double unit) {
                           const Point half(10 * unit, 0);
                           c.stroke({{at - half, at + half}}, {c.palette().*look.colour, 1.4, look.dashes});
                           paint_mark(c, look, at, 3.6 * unit);

@@ -323,6 +323,9 @@ std::string render(const Paint& paint, const std::string& format, const Page& pa
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(size.x() * dots)),
                                                      static_cast<int>(std::ceil(size.y() * dots))));
     check(cairo_surface_status(surface.get()));
+    const Context ground(cairo_create(surface.get()));  // also of the pixels that the page fills in part
+    cairo_set_source_rgb(ground.get(), 1, 1, 1);
+    cairo_paint(ground.get());
     cairo_surface_set_device_scale(surface.get(), dots, dots);
     paint_on(surface.get(), drawing, page.style.font);
     check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));

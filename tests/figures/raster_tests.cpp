@@ -122,6 +122,14 @@ TEST_CASE("another renderer sees a mesh in space as Cairo draws it", "[figures][
   CHECK(difference(render(paint, "svg"), raster_by_cairo(picture)) < kFewPixels);
 }
 
+TEST_CASE("a PNG is white up to its rim", "[figures][raster]") {
+  const Paint paint = [](Canvas& canvas) { canvas.circle({0, 0}, 10.3, rgb(0x000000), {}); };
+  tests::spill(tests::scratch() / "circle.png", render(paint, "png", {.resolution = 100}));
+  const Raster raster = read_png(tests::scratch() / "circle.png");
+  for (int x = 0; x < raster.width; ++x) CHECK(raster.at(x, raster.height - 1) == 255);
+  for (int y = 0; y < raster.height; ++y) CHECK(raster.at(raster.width - 1, y) == 255);
+}
+
 TEST_CASE("the comparison of renderers sees letters whose paths lack their line commands", "[figures][raster]") {
   if (!has_renderer()) return;
   for (const CatalogueEntry& entry : catalogue()) {
