@@ -61,7 +61,7 @@ void paint_axes(Canvas& canvas, const Point& range) {
       const double at = k * step / shown * (axis == 0 ? kPlotWidth : kPlotHeight);
       if (axis == 0) {
         canvas.stroke({{{at, 0}, {at, kPlotHeight}}}, thin);
-        canvas.label({at, -1.2 * em}, mesh::short_decimals(k * step, 3) + " %", ink);
+        canvas.label({at, -1.6 * em}, mesh::short_decimals(k * step, 3) + " %", ink);
       } else {
         canvas.stroke({{{0, at}, {kPlotWidth, at}}}, thin);
         canvas.label({-0.6 * em, at - 0.35 * em}, mesh::short_decimals(k * step, 3), ink, Anchor::right);
@@ -70,7 +70,7 @@ void paint_axes(Canvas& canvas, const Point& range) {
   }
   canvas.stroke({{{0, kPlotHeight}, {0, 0}, {kPlotWidth, 0}}}, {ink, 1});
   canvas.label({0, kPlotHeight + 1.1 * em}, "irregular vertices", ink, Anchor::left);
-  canvas.label({kPlotWidth / 2, -2.6 * em}, "Hausdorff distance from the input, over the diagonal", ink);
+  canvas.label({kPlotWidth / 2, -3 * em}, "Hausdorff distance from the input, over the diagonal", ink);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ Paint paint_deviation(const std::vector<Curve>& curves) {
                           paint_mark(c, look, at, 3.6 * unit);
                         }});
     }
-    paint_legend(canvas, legend, {kPlotWidth / 2, -3.6 * canvas.em()}, kPlotWidth);
+    paint_legend(canvas, legend, {kPlotWidth / 2, -4 * canvas.em()}, kPlotWidth);
   };
 }
 
