@@ -27,7 +27,7 @@ namespace {
 std::string example_mesh(const std::string& name) {
   return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name + ".obj";
 }
-Surface example(const std::string& name) {
+Surface example_surface(const std::string& name) {
   const std::string path = example_mesh(name);
   return Session::read(slurp(path), path, false);
 }
@@ -43,7 +43,7 @@ bool same_positions(const Session& session, const Positions& positions) {
 }  // namespace
 
 TEST_CASE("features are steps: edits keep them, and undo gives the former ones back", "[session]") {
-  Session session(example("figure-17"));
+  Session session(example_surface("figure-17"));
   REQUIRE(session.features().empty());
   session.take_changes();
   const FeatureEdges sharp = session.sharp(40);
@@ -91,7 +91,7 @@ TEST_CASE("features are steps: edits keep them, and undo gives the former ones b
 }
 
 TEST_CASE("smoothing moves what is near, and no connectivity", "[session]") {
-  Session session(example("figure-16"));
+  Session session(example_surface("figure-16"));
   const QuadMesh before = session.mesh();
   const Positions positions = session.positions();
   const VertexId centre = *session.irregular().begin();
@@ -119,10 +119,10 @@ TEST_CASE("smoothing moves what is near, and no connectivity", "[session]") {
 }
 
 TEST_CASE("a script is replayed on the mesh that was opened, and on no other", "[session]") {
-  Session session(example("figure-17"));
+  Session session(example_surface("figure-17"));
   REQUIRE(session.perform(a_pair(session.numbered(153), session.numbered(163)), "slide_first").empty());
   const std::string script = session.script(), made = session.export_obj();
-  Session again(example("figure-17"));
+  Session again(example_surface("figure-17"));
   REQUIRE(again.apply(script, "edits.txt").empty());
   CHECK(again.export_obj() == made);
   CHECK(again.script() == script);
@@ -131,7 +131,7 @@ TEST_CASE("a script is replayed on the mesh that was opened, and on no other", "
   REQUIRE(again.undo());
   REQUIRE(again.redo());
   CHECK(again.export_obj() == made);
-  Session other(example("figure-16"));
+  Session other(example_surface("figure-16"));
   CHECK_THROWS_AS(other.apply(script, "edits.txt"), FileError);
   CHECK(other.steps().empty());
 }
@@ -171,7 +171,7 @@ TEST_CASE("a reduction makes the edits of requad-edit reduce, one step for each 
 }
 
 TEST_CASE("a step is watched operation by operation", "[session]") {
-  Session session(example("figure-17")), watched(example("figure-17"));
+  Session session(example_surface("figure-17")), watched(example_surface("figure-17"));
   const Selection pair = a_pair(session.numbered(153), session.numbered(163));
   REQUIRE(session.perform(pair, "slide_first").empty());
   QuadMesh before = watched.mesh();
@@ -209,7 +209,7 @@ TEST_CASE("colours tell adjacent quads apart, join stripes, and mark inverted qu
     CHECK(stripes[f.slot()] == stripes[g.slot()]);
   }
   CHECK(seen > 80);
-  const Surface surface = example("figure-18");
+  const Surface surface = example_surface("figure-18");
   const std::vector<float> colours = web::paint_all(surface.mesh, surface.positions, Paint::checkerboard);
   for (const HalfEdgeId h : surface.mesh.half_edges()) {
     if (surface.mesh.is_boundary(h)) continue;
@@ -225,7 +225,7 @@ TEST_CASE("colours tell adjacent quads apart, join stripes, and mark inverted qu
 }
 
 TEST_CASE("the boundary is told loop by loop", "[session]") {
-  const Surface surface = example("figure-18");
+  const Surface surface = example_surface("figure-18");
   const Session session(surface);
   std::set<std::pair<VertexId, VertexId>> expected, told;
   for (const HalfEdgeId h : surface.mesh.half_edges()) {
