@@ -10,6 +10,7 @@
 #include "mesh/web/scene.hpp"
 #include "mesh/web/session.hpp"
 #include "tests/mesh/editing_in_browser.hpp"
+#include "tests/mesh/session_selections.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"
@@ -24,17 +25,7 @@ using web::Session;
 
 namespace {
 
-std::string example_mesh(const std::string& name) {
-  return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name + ".obj";
-}
-Surface example_surface(const std::string& name) {
-  const std::string path = example_mesh(name);
-  return Session::read(slurp(path), path, false);
-}
-Selection an_edge(VertexId a, VertexId b) { return {Selection::Kind::edge, a, b, {}}; }
-Selection a_pair(VertexId a, VertexId b) { return {Selection::Kind::pair, a, b, {}}; }
-
-bool same_positions(const Session& session, const Positions& positions) {
+bool has_positions(const Session& session, const Positions& positions) {
   const std::vector<VertexId> all = session.mesh().vertices();
   return std::all_of(all.begin(), all.end(),
                      [&](VertexId v) { return same_bits(session.positions()[v.slot()], positions[v.slot()]); });
@@ -43,7 +34,7 @@ bool same_positions(const Session& session, const Positions& positions) {
 }  // namespace
 
 TEST_CASE("features are steps: edits keep them, and undo gives the former ones back", "[session]") {
-  Session session(example_surface("figure-17"));
+  Session session(surface_of(example_mesh("figure-17")));
   REQUIRE(session.features().empty());
   session.take_changes();
   const FeatureEdges sharp = session.sharp(40);
@@ -91,7 +82,7 @@ TEST_CASE("features are steps: edits keep them, and undo gives the former ones b
 }
 
 TEST_CASE("smoothing moves what is near, and no connectivity", "[session]") {
-  Session session(example_surface("figure-16"));
+  Session session(surface_of(example_mesh("figure-16")));
   const QuadMesh before = session.mesh();
   const Positions positions = session.positions();
   const VertexId centre = *session.irregular().begin();
@@ -111,7 +102,7 @@ TEST_CASE("smoothing moves what is near, and no connectivity", "[session]") {
   CHECK(session.steps().size() == 2);
   CHECK(session.undo());
   CHECK(session.undo());
-  CHECK(same_positions(session, positions));
+  CHECK(has_positions(session, positions));
   // A single quad has no vertex that may move.
   Session quad(Session::read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "quad.obj", false));
   CHECK(quad.smooth({}, 0) == "nothing moves: all these vertices are fixed");
@@ -119,10 +110,10 @@ TEST_CASE("smoothing moves what is near, and no connectivity", "[session]") {
 }
 
 TEST_CASE("a script is replayed on the mesh that was opened, and on no other", "[session]") {
-  Session session(example_surface("figure-17"));
+  Session session(surface_of(example_mesh("figure-17")));
   REQUIRE(session.perform(a_pair(session.numbered(153), session.numbered(163)), "slide_first").empty());
   const std::string script = session.script(), made = session.export_obj();
-  Session again(example_surface("figure-17"));
+  Session again(surface_of(example_mesh("figure-17")));
   REQUIRE(again.apply(script, "edits.txt").empty());
   CHECK(again.export_obj() == made);
   CHECK(again.script() == script);
@@ -131,7 +122,7 @@ TEST_CASE("a script is replayed on the mesh that was opened, and on no other", "
   REQUIRE(again.undo());
   REQUIRE(again.redo());
   CHECK(again.export_obj() == made);
-  Session other(example_surface("figure-16"));
+  Session other(surface_of(example_mesh("figure-16")));
   CHECK_THROWS_AS(other.apply(script, "edits.txt"), FileError);
   CHECK(other.steps().empty());
 }
@@ -159,7 +150,7 @@ TEST_CASE("a reduction makes the edits of requad-edit reduce, one step for each 
   while (session.undo()) irregular.push_back(session.irregular().size());
   CHECK(std::is_sorted(irregular.begin(), irregular.end()));
   CHECK(session.mesh() == before);
-  CHECK(same_positions(session, positions));
+  CHECK(has_positions(session, positions));
   // It stops in time, and another step ends it.
   session.start_reduction(static_cast<int>(session.irregular().size()) - 2, -1);
   while (session.reduce() != Session::Slice::ended) {
@@ -171,7 +162,7 @@ TEST_CASE("a reduction makes the edits of requad-edit reduce, one step for each 
 }
 
 TEST_CASE("a step is watched operation by operation", "[session]") {
-  Session session(example_surface("figure-17")), watched(example_surface("figure-17"));
+  Session session(surface_of(example_mesh("figure-17"))), watched(surface_of(example_mesh("figure-17")));
   const Selection pair = a_pair(session.numbered(153), session.numbered(163));
   REQUIRE(session.perform(pair, "slide_first").empty());
   QuadMesh before = watched.mesh();
@@ -209,7 +200,7 @@ TEST_CASE("colours tell adjacent quads apart, join stripes, and mark inverted qu
     CHECK(stripes[f.slot()] == stripes[g.slot()]);
   }
   CHECK(seen > 80);
-  const Surface surface = example_surface("figure-18");
+  const Surface surface = surface_of(example_mesh("figure-18"));
   const std::vector<float> colours = web::paint_all(surface.mesh, surface.positions, Paint::checkerboard);
   for (const HalfEdgeId h : surface.mesh.half_edges()) {
     if (surface.mesh.is_boundary(h)) continue;
@@ -225,7 +216,7 @@ TEST_CASE("colours tell adjacent quads apart, join stripes, and mark inverted qu
 }
 
 TEST_CASE("the boundary is told loop by loop", "[session]") {
-  const Surface surface = example_surface("figure-18");
+  const Surface surface = surface_of(example_mesh("figure-18"));
   const Session session(surface);
   std::set<std::pair<VertexId, VertexId>> expected, told;
   for (const HalfEdgeId h : surface.mesh.half_edges()) {

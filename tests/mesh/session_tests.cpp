@@ -10,6 +10,7 @@
 #include "mesh/topology/validate.hpp"
 #include "mesh/web/scene.hpp"
 #include "mesh/web/session.hpp"
+#include "tests/mesh/session_selections.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/mesh/regions.hpp"
@@ -24,20 +25,6 @@ using web::Session;
 using SelectionKind = Selection::Kind;
 
 namespace {
-
-std::string example_mesh(const std::string& name) {
-  return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name + ".obj";
-}
-
-Surface surface_of(const std::string& path) { return Session::read(slurp(path), path, false); }
-
-// The surface of a region in the plane.
-Surface surface_of(const Region& region) { return Session::read(obj_text(region), "region.obj", false); }
-
-Selection one_vertex(VertexId v) { return {SelectionKind::vertex, v, {}, {}}; }
-Selection a_pair(VertexId a, VertexId b) { return {SelectionKind::pair, a, b, {}}; }
-Selection an_edge(VertexId a, VertexId b) { return {SelectionKind::edge, a, b, {}}; }
-Selection a_quad(FaceId f) { return {SelectionKind::quad, {}, {}, f}; }
 
 // Selections of each kind: at every irregular vertex of a kind, and at some others.
 std::vector<Selection> some_selections(const Session& session) {
