@@ -1,47 +1,27 @@
 #include "mesh/irregular/reduce.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <optional>
 #include <queue>
-#include <span>
 #include <tuple>
 #include <utility>
 
-#include "mesh/editing/affected_region.hpp"
-#include "mesh/geometry/correspondence.hpp"
-#include "mesh/geometry/fitting.hpp"
-#include "mesh/geometry/hausdorff_distance.hpp"
+#include "mesh/irregular/reduction_fit.hpp"
 
 namespace requad::mesh {
 
 namespace {
 
-constexpr int kPartners = 3;  // candidates looked for at each vertex
-constexpr int kHelpers = 8;   // third vertices offered to a cancellation
-
-// How far and how often a fit goes.
-struct Reach {
-  int rings;  // round what changed
-  int rounds;
-  bool joint;
-};
-constexpr int kLongTransport = 8;        // edits
-constexpr Reach kOnTheWay{2, 1, false};  // after each transport of a cancellation, so that nothing is lost
-constexpr Reach kAfterLongTransport{4, 3, true};
-constexpr Reach kWhenMade{4, 3, false};
-constexpr Reach kRescue{12, 2, true};  // again and again if a quad is inverted or too far away then
-constexpr int kRescueParts = 4;
-constexpr int kRefresh = 4;             // cancellations
-constexpr double kPart = 0.9;           // of the bound is what a cancellation may use: later ones need some, too
+constexpr int kPartners = 3;            // candidates looked for at each vertex
+constexpr int kHelpers = 8;             // third vertices offered to a cancellation
+constexpr int kRescues = 4;             // fits with more effort of a cancellation that is not acceptable
+constexpr int kRefresh = 4;             // cancellations between two fits of all that was touched
 constexpr double kHopeless = 1.5;       // how_far_from_acceptable()
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
-// The fit in the end: good quads as far as the bound allows.
-constexpr std::array<double, 3> kFinalQualities{10 * kQualityWeight, 4 * kQualityWeight, kQualityWeight};
 
 }  // namespace
 
@@ -73,25 +53,10 @@ class Reduction::Work {
 
  public:
   Work(Editor& editor, const ReduceOptions& options)
-      : editor_(editor),
-        m_(editor.mesh()),
-        options_(options),
-        transport_(editor),
-        input_(m_),
-        input_positions_(*editor.positions()),
-        homes_(m_, input_positions_),
-        surface_(m_, input_positions_) {
-    editor.keep(&homes_);
-    const double avoided = 0.005 * bounding_box_diagonal(m_, input_positions_);
-    bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
-    fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
-    fitting_.sweeps = std::max(options.sweeps, 1);
-    start_ = editor_.mark();
+      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor), fit_(editor, options) {
     report_.before = report_.after = count_irregular();
-    input_quality_ = mean_quality();
   }
 
-  ~Work() { editor_.keep(nullptr); }
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
@@ -150,17 +115,6 @@ class Reduction::Work {
     const std::vector<VertexId> all = m_.vertices();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [this](VertexId v) { return is_irregular(v); }));
   }
-  double mean_quality() const {
-    double sum = 0;
-    for (const FaceId f : m_.faces()) sum += scaled_jacobian(m_, positions(), f);
-    return sum / m_.face_count();
-  }
-  int count_inverted() const {
-    const std::vector<FaceId> all = m_.faces();
-    return static_cast<int>(std::count_if(
-        all.begin(), all.end(), [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
-  }
-
   // Everything is tried again as long as something succeeds: what was refused once may have become possible.
   void begin_round() {
     // Where nothing can be cancelled, parting would only make more irregular vertices.
@@ -182,7 +136,7 @@ class Reduction::Work {
     if (widened_ || options_.max_deviation >= 0 || report_.after <= options_.until || report_.too_far == 0)
       return false;
     widened_ = true;
-    bound_ = std::numeric_limits<double>::infinity();
+    fit_.lift_bound();
     std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::too_far; });
     failures_in_a_row_ = 0;
     queue_ = {};
@@ -207,11 +161,11 @@ class Reduction::Work {
 
   void part() {
     const std::size_t start = editor_.mark();
-    const int inverted = count_inverted();
+    const int inverted = fit_.count_inverted();
     const int parted = part_all(editor_);
     if (parted == 0) return;
-    fit_since(start, kWhenMade);
-    if (options_.allow_inverted || count_inverted() <= inverted) {
+    fit_.fit_made(start);
+    if (options_.allow_inverted || fit_.count_inverted() <= inverted) {
       report_.parted += parted;
     } else {
       editor_.roll_back(start);
@@ -221,73 +175,16 @@ class Reduction::Work {
   // Fits all that was touched, or everything if the caller asks for it. Takes all back if nothing was cancelled.
   void finish() {
     if (made_.empty()) {
-      editor_.roll_back(start_);
+      editor_.roll_back(fit_.start());
       report_.parted = 0;
     }
     if (options_.final_rounds == 0 || (made_.empty() && !options_.fit_all)) return;
-    const bool is_bounded = std::isfinite(bound_);
-    if (is_bounded && std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
-                                  [this](double quality) { return fit_in_the_end(quality); }))
-      return;
-    // Nobody asked for the bound, or there is none: the surface comes first.
-    if (options_.max_deviation >= 0) return;
-    bound_ = std::numeric_limits<double>::infinity();
-    fit_in_the_end(kQualityWeight);
-  }
-  // In some rounds at a time. What they make worse is taken back, up to the last ones that made nothing worse. Returns
-  // whether there are such.
-  bool fit_in_the_end(double quality) {
-    constexpr int kAtATime = 5;
-    const int inverted = count_inverted();
-    const double quality_before = mean_quality();
-    std::size_t good = editor_.mark();
-    bool any = false;
-    for (int rounds = options_.final_rounds; rounds > 0; rounds -= kAtATime) {
-      const Reach reach{kWhenMade.rings, std::min(kAtATime, rounds), true};
-      if (options_.fit_all) {
-        affected_ = {};
-        affected_.near = m_.vertices();
-        affected_.inner = affected_.near.size();
-      } else {
-        affected_ = affected_region_since(editor_, around_, start_, reach.rings + 1);
-      }
-      fit_affected(reach, quality);
-      if (!options_.allow_inverted && count_inverted() > inverted) straighten();
-      if ((!options_.allow_inverted && count_inverted() > inverted) || !is_within_bound()) continue;
-      const double now = mean_quality();
-      if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
-        continue;
-      good = editor_.mark();
-      any = true;
-    }
-    editor_.roll_back(good);
-    return any;
-  }
-  // Fits round the inverted quads of the affected region, inside it, for good quads above all.
-  void straighten() {
-    constexpr int kRings = 3, kRounds = 5;
-    std::vector<VertexId> inside(affected_.near.begin(),
-                                 affected_.near.begin() + static_cast<std::ptrdiff_t>(affected_.inner));
-    std::sort(inside.begin(), inside.end());
-    std::vector<VertexId> corners;
-    for (const VertexId v : inside) {
-      m_.for_each_out(v, [&](HalfEdgeId h) {
-        if (is_inverted(scaled_jacobian(m_, positions(), QuadMesh::face(h)))) corners.push_back(v);
-      });
-    }
-    if (corners.empty()) return;
-    const auto is_inside = [&](VertexId v) { return std::binary_search(inside.begin(), inside.end(), v); };
-    around_.measure(m_, corners, is_inside, is_inside, [](VertexId, int d) { return d > kRings; });
-    const std::vector<VertexId> near = around_.met();
-    FitOptions how = fitting_;
-    how.rounds = kRounds;
-    how.quality = kFinalQualities.front();
-    editor_.fit(near, surface_, how);
+    fit_.fit_in_the_end();
   }
   // Takes back the last cancellations, and as many as it must, until the bound holds.
   void keep_bound() {
-    if (options_.max_deviation < 0 || is_within_bound()) return;
-    for (std::size_t step = 1; !made_.empty() && !is_within_bound(); ++step) {
+    if (options_.max_deviation < 0 || fit_.is_within_bound()) return;
+    for (std::size_t step = 1; !made_.empty() && !fit_.is_within_bound(); ++step) {
       const std::size_t number = std::min((step + 3) / 4, made_.size());
       editor_.roll_back(made_[made_.size() - number].start);
       made_.resize(made_.size() - number);
@@ -295,9 +192,6 @@ class Reduction::Work {
     }
     finish();
   }
-  bool is_within_bound() const { return !std::isfinite(bound_) || hausdorff() <= bound_; }
-  double hausdorff() const { return hausdorff_distance({m_, positions()}, {input_, input_positions_}); }
-
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
     if (is_three(v)) {
@@ -325,24 +219,10 @@ class Reduction::Work {
     return std::all_of(known->second.where.begin(), known->second.where.end(), is_old);
   }
   void remember_failure(VertexId three, VertexId five) {
-    std::vector<VertexId> where = affected_.near;
-    where.insert(where.end(), affected_.removed.begin(), affected_.removed.end());
+    std::vector<VertexId> where = fit_.affected().near;
+    where.insert(where.end(), fit_.affected().removed.begin(), fit_.affected().removed.end());
     failures_[{three, five}] = {stage(), reason(), std::move(where)};
     ++failures_in_a_row_;
-  }
-
-  // Fits round the edits since the mark; what they affect is in affected_ then.
-  void fit_since(std::size_t mark, const Reach& reach) {
-    affected_ = affected_region_since(editor_, around_, mark, reach.rings + 1);
-    if (options_.sweeps > 0) fit_affected(reach, kQualityWeight);
-  }
-  void fit_affected(const Reach& reach, double quality) {
-    FitOptions how = fitting_;
-    how.rounds = reach.rounds;
-    how.joint = reach.joint;
-    if (reach.joint) how.sweeps = std::min(how.sweeps, 1);  // the joint steps do the most
-    how.quality = quality;
-    editor_.fit(std::span(affected_.near).first(affected_.inner), surface_, how);
   }
 
   // Cancels the pair, with fits on the way if asked for. Leaves the mesh as it was if this is refused.
@@ -351,10 +231,7 @@ class Reduction::Work {
         nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
     std::function<void(std::size_t)> on_the_way;
     if (fits) {
-      on_the_way = [this](std::size_t mark) {
-        const bool is_long = editor_.mark() - mark > kLongTransport;
-        fit_since(mark, is_long ? kAfterLongTransport : kOnTheWay);
-      };
+      on_the_way = [this](std::size_t mark) { fit_.fit_transport(mark); };
     }
     last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
     if (last_.refusal != Refusal::none) ++report_.refusals[last_.refusal];
@@ -369,12 +246,10 @@ class Reduction::Work {
     const std::size_t before = editor_.mark();
     const bool made = make(three, five, false);
     if (made && options_.cost == ReduceCost::curvature) {
-      affected_ = affected_region_since(editor_, around_, before, 1);
+      fit_.look_since(before, 1);
       cost = change().cost;
     } else if (made) {
-      const std::size_t homes = homes_.mark();
-      editor_.carry();
-      cost = static_cast<double>(homes_.mark() - homes) / 4 + kOperationCost * last_.steps;
+      cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * last_.steps;
     }
     editor_.roll_back(before);
     return made;
@@ -391,7 +266,7 @@ class Reduction::Work {
       sum.inside -= values_[v.slot()].inside;
       sum.quality -= values_[v.slot()].quality;
     };
-    for (const VertexId v : affected_.near) {
+    for (const VertexId v : fit_.affected().near) {
       const Value now = value(v);
       sum.cost += now.cost;
       sum.inverted += now.inverted;
@@ -399,17 +274,17 @@ class Reduction::Work {
       sum.quality += now.quality;
       subtract(v);
     }
-    for (const VertexId v : affected_.removed) subtract(v);
+    for (const VertexId v : fit_.affected().removed) subtract(v);
     return sum;
   }
 
   // Whether the affected region is as good as it must be.
-  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_worn() && !is_too_far(); }
+  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_worn() && !fit_.is_too_far(); }
   // Whether the mean quality of all faces falls too low.
   bool is_worn() const {
     if (options_.max_quality_loss < 0) return false;
     const double now = (quality_ + change().quality) / m_.face_count();
-    return now < quality_ / faces_ && now < input_quality_ - options_.max_quality_loss;
+    return now < quality_ / faces_ && now < fit_.input_quality() - options_.max_quality_loss;
   }
   bool leads_inward() const { return change().inside > 0; }
   Reason reason() const {
@@ -417,41 +292,6 @@ class Reduction::Work {
     return is_inverted_more() ? Reason::folded : is_worn() ? Reason::worn : Reason::too_far;
   }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
-  bool is_too_far() const {
-    return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
-  }
-  // The faces at the inner vertices of the affected region.
-  std::vector<FaceId> affected_faces() const {
-    std::vector<FaceId> faces;
-    for (const VertexId v : std::span(affected_.near).first(affected_.inner))
-      m_.for_each_out(v, [&faces](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
-  }
-  // The largest distance in the affected region of samples from their homes, and of the corners and centres of faces
-  // from the surface.
-  double deviation() const {
-    double largest = 0;
-    const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
-    for (const FaceId f : affected_faces()) {
-      homes_.for_each_sample(
-          f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
-      look(face_centre(m_, positions(), f));
-      for (const VertexId v : m_.corners(f)) look(positions()[v.slot()]);
-    }
-    return largest;
-  }
-  // One side of the Hausdorff distance: that of the affected faces from the surface, at all samples.
-  double distance_from_surface() const {
-    double largest = 0;
-    for (const FaceId f : affected_faces()) {
-      for_each_sample(m_, positions(), f, kUsualDensity,
-                      [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); });
-    }
-    return largest;
-  }
-
   Value value(VertexId v) const {
     Value result;
     result.irregular = is_irregular(v);
@@ -505,16 +345,16 @@ class Reduction::Work {
     }
     failures_in_a_row_ = 0;
     made_.push_back({before, last_.transports, last_.steps});
-    for (const std::vector<VertexId>* some : {&affected_.removed, &affected_.changed}) {
+    for (const std::vector<VertexId>* some : {&fit_.affected().removed, &fit_.affected().changed}) {
       for (const VertexId v : *some) {
         if (v.slot() >= changed_at_.size()) changed_at_.resize(v.slot() + 1);
         changed_at_[v.slot()] = stage();
       }
     }
-    for (const VertexId v : affected_.removed) remember(v);
-    for (const VertexId v : affected_.near) remember(v);
+    for (const VertexId v : fit_.affected().removed) remember(v);
+    for (const VertexId v : fit_.affected().near) remember(v);
     faces_ = m_.face_count();
-    const std::vector<VertexId> changed = std::move(affected_.changed);
+    const std::vector<VertexId> changed = fit_.affected().changed;
     for (const VertexId v : changed) add_candidates(v);
     return true;
   }
@@ -530,12 +370,12 @@ class Reduction::Work {
   }
   // Fits what was made until it is acceptable, or there seems to be no hope.
   bool fit_made(std::size_t before) {
-    fit_since(before, kWhenMade);
+    fit_.fit_made(before);
     if (leads_inward() || is_worn()) return false;
     if (is_acceptable() || is_acceptable_straightened()) return true;
     double trouble = std::numeric_limits<double>::infinity();
-    for (int part = 0; part < kRescueParts && options_.sweeps > 0; ++part) {
-      fit_since(before, kRescue);
+    for (int part = 0; part < kRescues && options_.sweeps > 0; ++part) {
+      fit_.fit_again(before);
       if (is_acceptable() || is_acceptable_straightened()) return true;
       const double left = how_far_from_acceptable();
       if (left > kHopeless || left > 0.95 * trouble) break;
@@ -545,13 +385,14 @@ class Reduction::Work {
   }
   bool is_acceptable_straightened() {
     if (!is_inverted_more() || options_.sweeps == 0) return false;
-    straighten();
+    fit_.straighten();
     return is_acceptable();
   }
   // Too large a deviation, by how many bounds, and a tenth for each quad that is inverted.
   double how_far_from_acceptable() const {
     const double inverted = options_.allow_inverted ? 0 : std::max(0, change().inverted) / 4;
-    const double far = bound_ > 0 && std::isfinite(bound_) ? std::max(0.0, deviation() / bound_ - 0.9) : 0;
+    const double bound = fit_.bound();
+    const double far = bound > 0 && std::isfinite(bound) ? std::max(0.0, fit_.deviation() / bound - 0.9) : 0;
     return far + inverted / 10;
   }
 
@@ -559,12 +400,7 @@ class Reduction::Work {
   const QuadMesh& m_;
   const ReduceOptions& options_;
   PairTransport transport_;
-  const QuadMesh input_;
-  const Positions input_positions_;
-  Correspondence homes_;
-  SurfaceIndex surface_;
-  FitOptions fitting_;
-  double bound_ = 0;  // that cancellations keep to: of the options; without it, the usual one, and infinity in the end
+  ReductionFit fit_;
   BreadthFirstDistances around_;
   std::priority_queue<Candidate> queue_;
   std::vector<VertexId> all_;  // at the start of the round
@@ -572,15 +408,12 @@ class Reduction::Work {
   bool progress_ = true;       // something was cancelled in the round
   bool widened_ = false;
   ReduceReport report_;
-  std::size_t start_ = 0;  // the editor's mark at the start
   std::vector<Made> made_;
   std::map<std::pair<VertexId, VertexId>, Failure> failures_;
   int failures_in_a_row_ = 0;
   int refreshed_at_ = 0;         // stage()
   std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
   Cancellation last_;            // of make()
-  AffectedRegion affected_;      // of the last fit
-  double input_quality_ = 0;     // the mean of all faces
   double quality_ = 0;           // the sum over all faces, of the mesh after the last cancellation
   int faces_ = 0;                // of that mesh
   std::vector<Value> values_;    // by vertex slot, of the mesh after the last cancellation

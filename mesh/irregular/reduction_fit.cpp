@@ -1,0 +1,178 @@
+#include "mesh/irregular/reduction_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "mesh/geometry/hausdorff_distance.hpp"
+
+namespace requad::mesh {
+
+ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
+    : editor_(editor),
+      m_(editor.mesh()),
+      options_(options),
+      input_(m_),
+      input_positions_(*editor.positions()),
+      homes_(m_, input_positions_),
+      surface_(m_, input_positions_),
+      start_(editor.mark()) {
+  editor.keep(&homes_);
+  const double avoided = 0.005 * bounding_box_diagonal(m_, input_positions_);
+  bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
+  fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
+  fitting_.sweeps = std::max(options.sweeps, 1);
+  input_quality_ = mean_quality();
+}
+
+// --- fits ------------------------------------------------------------------------------------------------------------
+
+void ReductionFit::fit_transport(std::size_t mark) {
+  const bool is_long = editor_.mark() - mark > kLongTransport;
+  fit_since(mark, is_long ? kAfterLongTransport : kOnTheWay);
+}
+
+void ReductionFit::fit_made(std::size_t mark) { fit_since(mark, kWhenMade); }
+
+void ReductionFit::fit_again(std::size_t mark) { fit_since(mark, kAgain); }
+
+void ReductionFit::fit_since(std::size_t mark, const Reach& reach) {
+  affected_ = affected_region_since(editor_, around_, mark, reach.rings + 1);
+  if (options_.sweeps > 0) fit_affected(reach, kQualityWeight);
+}
+
+void ReductionFit::fit_affected(const Reach& reach, double quality) {
+  FitOptions how = fitting_;
+  how.rounds = reach.rounds;
+  how.joint = reach.joint;
+  if (reach.joint) how.sweeps = std::min(how.sweeps, 1);  // the joint steps do the most
+  how.quality = quality;
+  editor_.fit(std::span(affected_.near).first(affected_.inner), surface_, how);
+}
+
+void ReductionFit::straighten() {
+  constexpr int kRings = 3, kRounds = 5;
+  std::vector<VertexId> inside(affected_.near.begin(),
+                               affected_.near.begin() + static_cast<std::ptrdiff_t>(affected_.inner));
+  std::sort(inside.begin(), inside.end());
+  std::vector<VertexId> corners;
+  for (const VertexId v : inside) {
+    m_.for_each_out(v, [&](HalfEdgeId h) {
+      if (is_inverted(scaled_jacobian(m_, positions(), QuadMesh::face(h)))) corners.push_back(v);
+    });
+  }
+  if (corners.empty()) return;
+  const auto is_inside = [&](VertexId v) { return std::binary_search(inside.begin(), inside.end(), v); };
+  around_.measure(m_, corners, is_inside, is_inside, [](VertexId, int d) { return d > kRings; });
+  const std::vector<VertexId> near = around_.met();
+  FitOptions how = fitting_;
+  how.rounds = kRounds;
+  how.quality = kFinalQualities.front();
+  editor_.fit(near, surface_, how);
+}
+
+void ReductionFit::fit_in_the_end() {
+  if (std::isfinite(bound_) && std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
+                                           [this](double quality) { return fit_in_the_end(quality); }))
+    return;
+  // Nobody asked for the bound, or there is none: the surface comes first.
+  if (options_.max_deviation >= 0) return;
+  lift_bound();
+  fit_in_the_end(kQualityWeight);
+}
+
+// In some rounds at a time. What they make worse is taken back, up to the last ones that made nothing worse. Returns
+// whether there are such.
+bool ReductionFit::fit_in_the_end(double quality) {
+  constexpr int kAtATime = 5;
+  const int inverted = count_inverted();
+  const double quality_before = mean_quality();
+  std::size_t good = editor_.mark();
+  bool any = false;
+  for (int rounds = options_.final_rounds; rounds > 0; rounds -= kAtATime) {
+    const Reach reach{kWhenMade.rings, std::min(kAtATime, rounds), true};
+    if (options_.fit_all) {
+      affected_ = {};
+      affected_.near = m_.vertices();
+      affected_.inner = affected_.near.size();
+    } else {
+      affected_ = affected_region_since(editor_, around_, start_, reach.rings + 1);
+    }
+    fit_affected(reach, quality);
+    if (!options_.allow_inverted && count_inverted() > inverted) straighten();
+    if ((!options_.allow_inverted && count_inverted() > inverted) || !is_within_bound()) continue;
+    const double now = mean_quality();
+    if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
+      continue;
+    good = editor_.mark();
+    any = true;
+  }
+  editor_.roll_back(good);
+  return any;
+}
+
+std::size_t ReductionFit::carry() {
+  const std::size_t before = homes_.mark();
+  editor_.carry();
+  return homes_.mark() - before;
+}
+
+// --- what is lost ----------------------------------------------------------------------------------------------------
+
+void ReductionFit::lift_bound() { bound_ = std::numeric_limits<double>::infinity(); }
+
+bool ReductionFit::is_within_bound() const {
+  return !std::isfinite(bound_) || hausdorff_distance({m_, positions()}, {input_, input_positions_}) <= bound_;
+}
+
+bool ReductionFit::is_too_far() const {
+  constexpr double kPart = 0.9;
+  return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
+}
+
+// The faces at the inner vertices of the affected region.
+std::vector<FaceId> ReductionFit::affected_faces() const {
+  std::vector<FaceId> faces;
+  for (const VertexId v : std::span(affected_.near).first(affected_.inner))
+    m_.for_each_out(v, [&faces](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+double ReductionFit::deviation() const {
+  double largest = 0;
+  const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
+  for (const FaceId f : affected_faces()) {
+    homes_.for_each_sample(
+        f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
+    look(face_centre(m_, positions(), f));
+    for (const VertexId v : m_.corners(f)) look(positions()[v.slot()]);
+  }
+  return largest;
+}
+
+// One side of the Hausdorff distance: that of the affected faces from the surface, at all samples.
+double ReductionFit::distance_from_surface() const {
+  double largest = 0;
+  for (const FaceId f : affected_faces()) {
+    for_each_sample(m_, positions(), f, kUsualDensity,
+                    [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); });
+  }
+  return largest;
+}
+
+double ReductionFit::mean_quality() const {
+  double sum = 0;
+  for (const FaceId f : m_.faces()) sum += scaled_jacobian(m_, positions(), f);
+  return sum / m_.face_count();
+}
+
+int ReductionFit::count_inverted() const {
+  const std::vector<FaceId> all = m_.faces();
+  return static_cast<int>(std::count_if(all.begin(), all.end(),
+                                        [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
+}
+
+}  // namespace requad::mesh
