@@ -264,7 +264,7 @@ TEST_CASE("requad-figures writes the files that it lists", "[programs]") {
   std::istringstream lines(made.out);
   int files = 0;
   for (std::string line; std::getline(lines, line);) files += line.starts_with("pictures/") ? 1 : 0;
-  CHECK(files == 17 + 7 + 1);  // an SVG of each, a DOT of each grid, the page
+  CHECK(files == 25 + 7 + 1);  // an SVG of each, a DOT of each grid, the page
   for (const std::string number : {"10", "11", "12"}) {
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".dot")).rfind("graph grid {", 0) == 0);
     CHECK(slurp(scratch() / "pictures" / ("figure-" + number + ".svg")).find("</svg>") != std::string::npos);
