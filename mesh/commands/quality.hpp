@@ -1,7 +1,6 @@
 // What an edit did to a mesh, in numbers: before and after, as JSON and as text.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -15,8 +14,6 @@ struct Quality {
   mesh::Diagnosis before;
   mesh::Diagnosis after;
   double hausdorff = 0;  // hausdorff_distance() over the diagonal of the input
-
-  bool is_worse() const { return after.inverted > before.inverted; }
 };
 
 // Compares the mesh with the input that it came from. O(F log F).

@@ -45,10 +45,6 @@ program::Option allow_inverted_option() {
 
 namespace {
 
-int count_inverted(const mesh::QuadMesh& mesh, const mesh::Positions& positions) {
-  return mesh::diagnose(mesh, positions).inverted;
-}
-
 mesh::BoundaryPlan boundary_plan(const Options& options) {
   const std::string word = options.choice("boundary", {"angle", "fixed", "free"}, "angle");
   return word == "free"    ? mesh::BoundaryPlan::free
@@ -141,7 +137,8 @@ void Session::fit_since(std::size_t mark) {
 }
 
 bool Session::is_worse(const std::string& subject) const {
-  const int before = count_inverted(input_.mesh, input_.positions), after = count_inverted(mesh_, positions_);
+  const int before = mesh::count_inverted(input_.mesh, input_.positions),
+            after = mesh::count_inverted(mesh_, positions_);
   if (options_.has("allow-inverted") || after <= before) return false;
   std::cerr << "requad-edit: " << command_ << ": " << program::one_line(subject) << ": " << counted(after, "quad")
             << " would be inverted, " << before << " before; --allow-inverted does it nevertheless\n";

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh/commands/arguments.hpp"
-#include "mesh/editing/affected_region.hpp"
 #include "mesh/editing/shape_keeper.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/program/program.hpp"

@@ -64,9 +64,9 @@ int smooth(const Options& options) {
   mesh::FitOptions fitting;
   fitting.rounds = 1;
   fitting.sweeps = 1;
-  fitting.quality = 10 * mesh::kQualityWeight;
+  fitting.quality = mesh::kGoodQuads;
   fitting.tolerance = std::max(bound, kProjectedBound / 10) * diagonal / 2;
-  const int inverted = mesh::diagnose(same, positions).inverted;
+  const int inverted = mesh::count_inverted(same, positions);
 
   // Whatever goes too far, or makes quads worse, is taken back, and ends the work.
   const std::vector<mesh::VertexId> vertices = surface.mesh.vertices();
@@ -79,7 +79,7 @@ int smooth(const Options& options) {
     } else {
       editor.smooth(vertices, how);
     }
-    const bool is_worse = !options.has("no-guard") && mesh::diagnose(same, positions).inverted > inverted;
+    const bool is_worse = !options.has("no-guard") && mesh::count_inverted(same, positions) > inverted;
     if (is_worse || (bound >= 0 && mesh::hausdorff_distance({same, positions}, {surface.mesh, surface.positions}) >
                                        bound * diagonal)) {
       editor.roll_back(before);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/topology/id_lists.hpp"
+
 namespace requad::mesh {
 
 AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances& around, std::size_t mark, int rings) {
@@ -15,8 +17,7 @@ AffectedRegion affected_region_since(const Editor& editor, BreadthFirstDistances
       if (v.valid()) ids.push_back(v);
     }
   }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  sort_once(ids);
   for (const VertexId v : ids) (m.is_live(v) ? result.changed : result.removed).push_back(v);
   const auto always = [](VertexId) { return true; };
   around.measure(m, result.changed, always, always, [rings](VertexId, int d) { return d >= rings; });

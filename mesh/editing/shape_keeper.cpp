@@ -1,14 +1,11 @@
 #include "mesh/editing/shape_keeper.hpp"
 
-#include <algorithm>
-
 #include "mesh/editing/affected_region.hpp"
 
 namespace requad::mesh {
 
 namespace {
 
-constexpr double kTolerance = 0.005;  // of the diagonal
 constexpr int kFitRings = 2;
 constexpr int kMoreRings = 8, kMoreRounds = 8;
 
@@ -18,16 +15,9 @@ ShapeKeeper::ShapeKeeper(Editor& editor)
     : editor_(editor),
       surface_(editor.mesh(), *editor.positions()),
       homes_(editor.mesh(), *editor.positions()),
-      tolerance_(kTolerance * bounding_box_diagonal(editor.mesh(), *editor.positions())),
-      inverted_(count_inverted()) {
+      tolerance_(kUsualTolerance * bounding_box_diagonal(editor.mesh(), *editor.positions())),
+      inverted_(count_inverted(editor.mesh(), *editor.positions())) {
   editor.keep(&homes_);
-}
-
-int ShapeKeeper::count_inverted() const {
-  const std::vector<FaceId> all = editor_.mesh().faces();
-  return static_cast<int>(std::count_if(all.begin(), all.end(), [this](FaceId f) {
-    return is_inverted(scaled_jacobian(editor_.mesh(), *editor_.positions(), f));
-  }));
 }
 
 void ShapeKeeper::fit(std::size_t mark, int rings, int rounds, bool joint) {
@@ -43,11 +33,11 @@ void ShapeKeeper::fit_transport(std::size_t mark) { fit(mark, kFitRings, 1, fals
 
 void ShapeKeeper::fit_since(std::size_t mark, int rounds) {
   fit(mark, kFitRings, rounds, false);
-  const int inverted = count_inverted();
+  const int inverted = count_inverted(editor_.mesh(), *editor_.positions());
   if (inverted <= inverted_) return;
   const std::size_t fitted = editor_.mark();
   fit(mark, kMoreRings, kMoreRounds, true);
-  if (count_inverted() >= inverted) editor_.roll_back(fitted);
+  if (count_inverted(editor_.mesh(), *editor_.positions()) >= inverted) editor_.roll_back(fitted);
 }
 
 }  // namespace requad::mesh

@@ -31,7 +31,6 @@ class ShapeKeeper {
   void fit_transport(std::size_t mark);
 
  private:
-  int count_inverted() const;
   void fit(std::size_t mark, int rings, int rounds, bool joint);
 
   Editor& editor_;

@@ -13,7 +13,7 @@ std::vector<VertexId> corners_of_inverted(const QuadMesh& m, const Positions& po
   std::vector<VertexId> corners;
   faces = 0;
   for (const FaceId f : m.faces()) {
-    if (!is_inverted(scaled_jacobian(m, positions, f))) continue;
+    if (!is_inverted(m, positions, f)) continue;
     ++faces;
     for (const VertexId v : m.corners(f)) corners.push_back(v);
   }

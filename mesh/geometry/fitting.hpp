@@ -34,6 +34,10 @@ namespace requad::mesh {
 
 // What the shape of one quad counts for, beside one quad's distance of its own size from the surface, which counts 1.
 inline constexpr double kQualityWeight = 0.05;
+// The same where good quads matter more than the last bit of distance.
+inline constexpr double kGoodQuads = 10 * kQualityWeight;
+// FitOptions::tolerance, over the diagonal, where nobody asks for another one.
+inline constexpr double kUsualTolerance = 0.005;
 
 struct FitOptions {
   // In each round, the samples settle (Correspondence::settle), then come a joint step, if asked for, and the sweeps.

@@ -72,6 +72,12 @@ double scaled_jacobian(const QuadMesh& m, const Positions& positions, FaceId f) 
   return least;
 }
 
+int count_inverted(const QuadMesh& m, const Positions& positions) {
+  const std::vector<FaceId> all = m.faces();
+  return static_cast<int>(
+      std::count_if(all.begin(), all.end(), [&](FaceId f) { return is_inverted(m, positions, f); }));
+}
+
 double aspect_ratio(const QuadMesh& m, const Positions& positions, FaceId f) {
   const auto c = corner_positions(m, positions, f);
   double longest = 0, perimeter = 0;

@@ -62,6 +62,11 @@ FaceTriangles triangles_of(const QuadMesh& mesh, const Positions& positions, Fac
 // and 0 if a side or the area is zero. In -1..1.
 double scaled_jacobian(const QuadMesh& mesh, const Positions& positions, FaceId f);
 inline bool is_inverted(double scaled_jacobian) { return scaled_jacobian <= 0; }
+inline bool is_inverted(const QuadMesh& mesh, const Positions& positions, FaceId f) {
+  return is_inverted(scaled_jacobian(mesh, positions, f));
+}
+// How many faces are inverted. O(F).
+int count_inverted(const QuadMesh& mesh, const Positions& positions);
 // Longest side * perimeter / (4 * area): 1 for squares, infinite if the area is zero (C. J. Stimpson et al., The
 // Verdict Library Reference Manual, 2007, "quadrilateral aspect ratio").
 double aspect_ratio(const QuadMesh& mesh, const Positions& positions, FaceId f);

@@ -161,11 +161,11 @@ class Reduction::Work {
 
   void part() {
     const std::size_t start = editor_.mark();
-    const int inverted = fit_.count_inverted();
+    const int inverted = count_inverted(m_, positions());
     const int parted = part_all(editor_);
     if (parted == 0) return;
     fit_.fit_made(start);
-    if (options_.allow_inverted || fit_.count_inverted() <= inverted) {
+    if (options_.allow_inverted || count_inverted(m_, positions()) <= inverted) {
       report_.parted += parted;
     } else {
       editor_.roll_back(start);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mesh/geometry/hausdorff_distance.hpp"
+#include "mesh/topology/id_lists.hpp"
 
 namespace requad::mesh {
 
@@ -19,7 +20,7 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
       surface_(m_, input_positions_),
       start_(editor.mark()) {
   editor.keep(&homes_);
-  const double avoided = 0.005 * bounding_box_diagonal(m_, input_positions_);
+  const double avoided = kUsualTolerance * bounding_box_diagonal(m_, input_positions_);
   bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
   fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
   fitting_.sweeps = std::max(options.sweeps, 1);
@@ -59,7 +60,7 @@ void ReductionFit::straighten() {
   std::vector<VertexId> corners;
   for (const VertexId v : inside) {
     m_.for_each_out(v, [&](HalfEdgeId h) {
-      if (is_inverted(scaled_jacobian(m_, positions(), QuadMesh::face(h)))) corners.push_back(v);
+      if (is_inverted(m_, positions(), QuadMesh::face(h))) corners.push_back(v);
     });
   }
   if (corners.empty()) return;
@@ -68,7 +69,7 @@ void ReductionFit::straighten() {
   const std::vector<VertexId> near = around_.met();
   FitOptions how = fitting_;
   how.rounds = kRounds;
-  how.quality = kFinalQualities.front();
+  how.quality = kGoodQuads;
   editor_.fit(near, surface_, how);
 }
 
@@ -86,7 +87,7 @@ void ReductionFit::fit_in_the_end() {
 // whether there are such.
 bool ReductionFit::fit_in_the_end(double quality) {
   constexpr int kAtATime = 5;
-  const int inverted = count_inverted();
+  const int inverted = count_inverted(m_, positions());
   const double quality_before = mean_quality();
   std::size_t good = editor_.mark();
   bool any = false;
@@ -100,8 +101,8 @@ bool ReductionFit::fit_in_the_end(double quality) {
       affected_ = affected_region_since(editor_, around_, start_, reach.rings + 1);
     }
     fit_affected(reach, quality);
-    if (!options_.allow_inverted && count_inverted() > inverted) straighten();
-    if ((!options_.allow_inverted && count_inverted() > inverted) || !is_within_bound()) continue;
+    if (!options_.allow_inverted && count_inverted(m_, positions()) > inverted) straighten();
+    if ((!options_.allow_inverted && count_inverted(m_, positions()) > inverted) || !is_within_bound()) continue;
     const double now = mean_quality();
     if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
       continue;
@@ -133,12 +134,7 @@ bool ReductionFit::is_too_far() const {
 
 // The faces at the inner vertices of the affected region.
 std::vector<FaceId> ReductionFit::affected_faces() const {
-  std::vector<FaceId> faces;
-  for (const VertexId v : std::span(affected_.near).first(affected_.inner))
-    m_.for_each_out(v, [&faces](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
+  return faces_round(m_, std::span(affected_.near).first(affected_.inner));
 }
 
 double ReductionFit::deviation() const {
@@ -167,12 +163,6 @@ double ReductionFit::mean_quality() const {
   double sum = 0;
   for (const FaceId f : m_.faces()) sum += scaled_jacobian(m_, positions(), f);
   return sum / m_.face_count();
-}
-
-int ReductionFit::count_inverted() const {
-  const std::vector<FaceId> all = m_.faces();
-  return static_cast<int>(std::count_if(all.begin(), all.end(),
-                                        [this](FaceId f) { return is_inverted(scaled_jacobian(m_, positions(), f)); }));
 }
 
 }  // namespace requad::mesh

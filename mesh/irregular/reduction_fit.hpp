@@ -57,7 +57,6 @@ class ReductionFit {
   // surface.
   double deviation() const;
 
-  int count_inverted() const;
   // The mean scaled Jacobian of all faces, now and at the start.
   double mean_quality() const;
   double input_quality() const { return input_quality_; }
@@ -74,7 +73,7 @@ class ReductionFit {
   static constexpr Reach kWhenMade{4, 3, false};
   static constexpr Reach kAgain{12, 2, true};
   // In the end: good quads as far as the bound allows.
-  static constexpr std::array<double, 3> kFinalQualities{10 * kQualityWeight, 4 * kQualityWeight, kQualityWeight};
+  static constexpr std::array<double, 3> kFinalQualities{kGoodQuads, 4 * kQualityWeight, kQualityWeight};
 
   const Positions& positions() const { return *editor_.positions(); }
   void fit_since(std::size_t mark, const Reach& reach);

@@ -1,8 +1,8 @@
 // The session as the page calls it: a request comes as JSON and is answered as JSON. For WebAssembly alone.
 //
 // Functions of C that the page calls: requad_open() and requad_apply() with the bytes of a file, requad_call() for
-// everything else, requad_text() for texts that may be long, and the arrays of the scene and of stages. Ids of vertices and quads stand for themselves;
-// positions are arrays of three numbers. An answer is valid until the next call.
+// everything else, requad_text() for texts that may be long, and the arrays of the scene and of stages. Ids of vertices
+// and quads stand for themselves; positions are arrays of three numbers. An answer is valid until the next call.
 #include <algorithm>
 #include <memory>
 
@@ -119,9 +119,9 @@ json status(State& s) {
   return answer;
 }
 
-// Makes an edit. `stages` lists, for each of its operations, the quads that it changed, and what vertices became
-// irregular or are so near by, or are so no more; State::stages has the arrays of
-// each of these in turn, those of the scene: Scene::kFloats, then the six corners of the triangles, as numbers.
+// Makes an edit. `stages` lists, for each of its operations, the quads that it changed, the irregular vertices at them,
+// and those that are irregular no more. State::stages has the arrays of each of these quads in turn, those of the scene:
+// Scene::kFloats, then the six corners of the triangles, as numbers.
 json perform(State& s, const json& request) {
   Session& session = *s.session;
   json stages = json::array();

@@ -5,7 +5,7 @@
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/irregular/possible_moves.hpp"
-#include "mesh/web/id_lists.hpp"
+#include "mesh/topology/id_lists.hpp"
 #include "mesh/web/session.hpp"
 
 namespace requad::web {
@@ -66,9 +66,9 @@ Session::Outcome Session::outcome_since(std::size_t mark) const {
       if (v.valid()) outcome.vertices.push_back(v);
     }
   }
-  sort_once(outcome.vertices);
+  mesh::sort_once(outcome.vertices);
   for (const VertexId v : outcome.vertices) outcome.valences.push_back(mesh_.is_live(v) ? mesh_.valence(v) : 0);
-  for (const FaceId f : faces_round(mesh_, outcome.vertices)) outcome.quads.emplace(f, mesh_.corners(f));
+  for (const FaceId f : mesh::faces_round(mesh_, outcome.vertices)) outcome.quads.emplace(f, mesh_.corners(f));
   return outcome;
 }
 
@@ -78,7 +78,7 @@ void Session::compare(const Outcome& outcome, Offer& offer) const {
     const VertexId v = outcome.vertices[i];
     if (mesh_.is_live(v) && mesh_.valence(v) != outcome.valences[i]) offer.vertices.push_back(v);
   }
-  for (const FaceId f : faces_round(mesh_, outcome.vertices)) {
+  for (const FaceId f : mesh::faces_round(mesh_, outcome.vertices)) {
     const auto after = outcome.quads.find(f);
     if (after == outcome.quads.end() || after->second != mesh_.corners(f)) offer.quads.push_back(f);
   }

@@ -65,10 +65,6 @@ std::vector<float> directions(const QuadMesh& m) {
   });
 }
 
-bool is_inverted(const QuadMesh& m, const mesh::Positions& positions, FaceId f) {
-  return mesh::is_inverted(mesh::scaled_jacobian(m, positions, f));
-}
-
 }  // namespace
 
 float local_paint(const QuadMesh& m, const mesh::Positions& positions, FaceId f, Paint paint) {
@@ -84,7 +80,7 @@ std::vector<float> paint_all(const QuadMesh& m, const mesh::Positions& positions
   for (const FaceId f : m.faces()) {
     if (!is_global(paint)) {
       numbers[f.slot()] = local_paint(m, positions, f, paint);
-    } else if (is_inverted(m, positions, f)) {
+    } else if (mesh::is_inverted(m, positions, f)) {
       numbers[f.slot()] = -1;
     }
   }

@@ -11,7 +11,6 @@
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/irregular/pair_frame.hpp"
 #include "mesh/topology/separatrix.hpp"
-#include "mesh/web/id_lists.hpp"
 
 namespace requad::web {
 
@@ -62,7 +61,7 @@ Description Session::describe() const {
   return d;
 }
 
-bool Session::is_inverted(FaceId f) const { return mesh::is_inverted(mesh::scaled_jacobian(mesh_, positions_, f)); }
+bool Session::is_inverted(FaceId f) const { return mesh::is_inverted(mesh_, positions_, f); }
 
 int Session::number(VertexId v) const {
   if (numbers_.empty()) {

@@ -167,7 +167,7 @@ class Session {
   // What the edits of a step changed.
   struct Touched {
     std::vector<VertexId> vertices;
-    std::vector<FaceId> quads;  // at these, made or removed
+    std::vector<FaceId> quads;  // made, removed, or at these vertices
   };
   // Each makes edits of the selection in turn, adds an offer for each, and rolls it back.
   mesh::Refusal offer_all(const Selection& selection);
@@ -181,6 +181,7 @@ class Session {
   Outcome outcome_since(std::size_t mark) const;
   void compare(const Outcome& outcome, Offer& offer) const;
   Touched touched_by(const Step& step) const;
+  void add_round(Touched& touched) const;  // the quads at its vertices as the mesh is now
   void note_changes(const Touched& touched);
   void finish_step(Step step);
   void take_features(const std::shared_ptr<const Features>& features);

@@ -3,7 +3,7 @@
 
 #include "mesh/editing/script.hpp"
 #include "mesh/geometry/fitting.hpp"
-#include "mesh/web/id_lists.hpp"
+#include "mesh/topology/id_lists.hpp"
 #include "mesh/web/session.hpp"
 
 namespace requad::web {
@@ -24,11 +24,15 @@ Session::Touched Session::touched_by(const Step& step) const {
       if (f.valid()) touched.quads.push_back(f);
     }
   }
-  sort_once(touched.vertices);
-  const std::vector<FaceId> round = faces_round(mesh_, touched.vertices);
-  touched.quads.insert(touched.quads.end(), round.begin(), round.end());
-  sort_once(touched.quads);
+  mesh::sort_once(touched.vertices);
+  add_round(touched);
   return touched;
+}
+
+void Session::add_round(Touched& touched) const {
+  const std::vector<FaceId> round = mesh::faces_round(mesh_, touched.vertices);
+  touched.quads.insert(touched.quads.end(), round.begin(), round.end());
+  mesh::sort_once(touched.quads);
 }
 
 void Session::note_changes(const Touched& touched) {
@@ -40,11 +44,7 @@ void Session::note_changes(const Touched& touched) {
       irregular_.erase(v);
     }
   }
-  std::vector<FaceId> changed = quads;
-  const std::vector<FaceId> round = faces_round(mesh_, vertices);
-  changed.insert(changed.end(), round.begin(), round.end());
-  sort_once(changed);
-  for (const FaceId f : changed) {
+  for (const FaceId f : quads) {
     if (mesh_.is_live(f) && is_inverted(f)) {
       inverted_.insert(f);
     } else {
@@ -55,9 +55,9 @@ void Session::note_changes(const Touched& touched) {
   offered_to_.reset();
   if (changes_.everything) return;
   changes_.vertices.insert(changes_.vertices.end(), vertices.begin(), vertices.end());
-  changes_.quads.insert(changes_.quads.end(), changed.begin(), changed.end());
-  sort_once(changes_.vertices);
-  sort_once(changes_.quads);
+  changes_.quads.insert(changes_.quads.end(), quads.begin(), quads.end());
+  mesh::sort_once(changes_.vertices);
+  mesh::sort_once(changes_.quads);
 }
 
 void Session::finish_step(Step step) {
@@ -72,13 +72,14 @@ bool Session::undo() {
   if (steps_.empty()) return false;
   reduction_.reset();
   const Step step = steps_.back();
-  const Touched touched = touched_by(step);
+  Touched touched = touched_by(step);
   const auto first = editor_.edits().begin() + static_cast<std::ptrdiff_t>(step.begin);
   undone_edits_.emplace_back(first, editor_.edits().end());
   editor_.roll_back(step.begin);
   undone_steps_.push_back(step);
   steps_.pop_back();
   take_features(step.before);
+  add_round(touched);
   note_changes(touched);
   return true;
 }
@@ -116,10 +117,10 @@ std::string Session::smooth(std::span<const VertexId> centres, int rings) {
     std::erase_if(vertices, [&](VertexId v) { return distances_.distance(v) > rings; });
   }
   mesh::FitOptions how;
-  how.quality = 10 * mesh::kQualityWeight;
-  how.tolerance = 0.005 * mesh::bounding_box_diagonal(mesh_, positions_);
+  how.quality = mesh::kGoodQuads;
+  how.tolerance = mesh::kUsualTolerance * mesh::bounding_box_diagonal(mesh_, positions_);
   Step step{(centres.empty() ? "smooth all" : "smooth round " + name_of(centres.front())), editor_.mark(), 0};
-  const std::vector<FaceId> faces = faces_round(mesh_, vertices);
+  const std::vector<FaceId> faces = mesh::faces_round(mesh_, vertices);
   const auto was = std::count_if(faces.begin(), faces.end(), [this](FaceId f) { return is_inverted(f); });
   editor_.fit(vertices, shape_.surface(), how);
   const auto edits = std::span(editor_.edits()).subspan(step.begin);

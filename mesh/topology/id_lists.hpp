@@ -2,11 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "mesh/topology/quad_mesh.hpp"
 
-namespace requad::web {
+namespace requad::mesh {
 
 template <class Id>
 void sort_once(std::vector<Id>& ids) {
@@ -15,13 +16,13 @@ void sort_once(std::vector<Id>& ids) {
 }
 
 // The faces at those of the vertices that are live.
-inline std::vector<mesh::FaceId> faces_round(const mesh::QuadMesh& m, const std::vector<mesh::VertexId>& vertices) {
-  std::vector<mesh::FaceId> faces;
-  for (const mesh::VertexId v : vertices) {
-    if (m.is_live(v)) m.for_each_out(v, [&](mesh::HalfEdgeId h) { faces.push_back(mesh::QuadMesh::face(h)); });
+inline std::vector<FaceId> faces_round(const QuadMesh& m, std::span<const VertexId> vertices) {
+  std::vector<FaceId> faces;
+  for (const VertexId v : vertices) {
+    if (m.is_live(v)) m.for_each_out(v, [&faces](HalfEdgeId h) { faces.push_back(QuadMesh::face(h)); });
   }
   sort_once(faces);
   return faces;
 }
 
-}  // namespace requad::web
+}  // namespace requad::mesh
