@@ -26,10 +26,8 @@ std::optional<EditorPage> editor_page() {
   return EditorPage{page.string(), *program};
 }
 
-std::string model(const std::string& name) { return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name; }
-
 std::string busy_mesh() {
-  const std::string input = model("figure-17.obj");
+  const std::string input = example_mesh("figure-17");
   Session session(Session::read(slurp(input), input, false));
   for (const int number : {30, 120, 210, 300}) {
     const Selection at{Selection::Kind::vertex, session.numbered(number), {}, {}};
@@ -112,7 +110,8 @@ void Editing::open(const std::string& path) {
 void Editing::take_example(const std::string& name) {
   set("examples", name);
   REQUIRE(browser.wait("editor.state.name === '" + name + "' && editor.state.status"));
-  native = std::make_unique<Session>(Session::read(slurp(model(name)), name, false));
+  native = std::make_unique<Session>(
+      Session::read(slurp(example_mesh(std::filesystem::path(name).stem().string())), name, false));
   settle();
 }
 

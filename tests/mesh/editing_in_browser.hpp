@@ -23,9 +23,6 @@ struct EditorPage {
 };
 std::optional<EditorPage> editor_page();
 
-// The path of an example mesh.
-std::string model(const std::string& name);
-
 // Writes Figure 17's mesh with sixteen more irregular vertices, and returns the path.
 std::string busy_mesh();
 

@@ -24,9 +24,9 @@ TEST_CASE("in a browser, the editor opens files in three ways and says why not",
   browser.press("Enter");
   CHECK(browser.wait("editor.state.name === 'figure-16.obj'"));
   CHECK(editing.exported("obj") ==
-        Session(Session::read(slurp(model("figure-16.obj")), "figure-16.obj", false)).export_obj());
+        Session(Session::read(slurp(example_mesh("figure-16")), "figure-16.obj", false)).export_obj());
   // A file by the dialog; a file that is dropped.
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   CHECK(editing.text("facts").find("366 vertices, 364 quads, genus 0") != std::string::npos);
   CHECK(editing.text("facts").find("9 v3, 1 v5 (10; the topology needs 8)") != std::string::npos);
   spill(scratch() / "quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
@@ -53,7 +53,7 @@ TEST_CASE("in a browser, a pair is chosen by clicks, and an arrow shows and make
   if (!page) return;
   Editing editing(*page);
   Browser& browser = editing.browser;
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   const std::string untouched = editing.exported("obj");
   editing.click_point(editing.at(366));
   CHECK(editing.text("subject") == "Vertex 366 (v3).");
@@ -127,7 +127,7 @@ TEST_CASE("in a browser, files are saved that the programs accept", "[editor][br
   Editing editing(*page);
   Browser& browser = editing.browser;
   browser.save_to(scratch().string());
-  const std::string input = model("figure-16.obj");
+  const std::string input = example_mesh("figure-16");
   editing.open(input);
   // An edit of each kind of selection.
   for (const std::string numbers : {"93 91", "389"}) {
@@ -183,7 +183,7 @@ TEST_CASE("in a browser, the keyboard suffices to edit", "[editor][browser]") {
   if (!page) return;
   Editing editing(*page);
   Browser& browser = editing.browser;
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   const std::string untouched = editing.exported("obj");
   browser.press("?");
   CHECK(editing.evaluate("document.getElementById('help').open") == true);
@@ -276,7 +276,7 @@ TEST_CASE("in a browser, what cannot be done is said in words", "[editor][browse
   if (!page) return;
   Editing editing(*page);
   Browser& browser = editing.browser;
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   editing.choose("366");
   CHECK(editing.text("offers-note").find("Theorem 7.1") != std::string::npos);
   editing.choose("1 2");
@@ -295,7 +295,7 @@ TEST_CASE("in a browser, the editor fits a telephone, by touch, in the light and
   if (!page) return;
   Editing editing(*page, 390, 844, true);
   Browser& browser = editing.browser;
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   for (const bool dark : {false, true}) {
     browser.set_dark(dark);
     CHECK(editing.evaluate("document.documentElement.scrollWidth") <= 390);

@@ -92,7 +92,7 @@ TEST_CASE("in a browser, a move uploads what it changes, however large the mesh 
   CHECK(uploaded[0].get<int>() > 0);
   CHECK(uploaded[0].get<int>() < 100'000);
   // Nothing grows.
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   const json after_some = move_often(editing, 20);
   CHECK(move_often(editing, 60) == after_some);
   CHECK(editing.browser.complaints() == std::vector<std::string>{});
@@ -114,7 +114,7 @@ TEST_CASE("in a browser, how fast the editor is", "[.][editor-speed]") {
   if (const auto spot = real_mesh("spot.obj")) measure("spot", *spot);
   measure("10k quads", sheet_file(100, 100));
   measure("100k quads", sheet_file(320, 320));
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   told << "memory after 100 moves and undos: " << move_often(editing, 100).dump() << "\n";
   told << "after 1000 more: " << move_often(editing, 1000).dump() << "\n";
   WARN(told.str());

@@ -27,7 +27,7 @@ TEST_CASE("in a browser, features are taken by angle and by hand, and edits keep
   const auto page = editor_page();
   if (!page) return;
   Editing editing(*page);
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   const std::string untouched = editing.exported("obj");
   editing.set("angle", "40");
   const mesh::FeatureEdges sharp = editing.native->sharp(40);
@@ -63,7 +63,7 @@ TEST_CASE("in a browser, third vertices of a cancellation are shown and exchange
   const auto page = editor_page();
   if (!page) return;
   Editing editing(*page);
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   editing.choose("153 163");
   editing.check_offers();
   const json usual = editing.evaluate("helpers()");
@@ -215,7 +215,7 @@ TEST_CASE("in a browser, colours, pictures, scripts and links are what the mesh 
   browser.drop_file((scratch() / "edits.txt").string(), 300, 300);
   REQUIRE(browser.wait("editor.state.status.done === 1"));
   CHECK(editing.exported("obj") == edited);
-  editing.open(model("figure-16.obj"));
+  editing.open(example_mesh("figure-16"));
   browser.drop_file((scratch() / "edits.txt").string(), 300, 300);
   REQUIRE(browser.wait("!document.getElementById('error').hidden"));
   CHECK(editing.text("error").find("edits.txt: ") == 0);
@@ -233,7 +233,7 @@ TEST_CASE("in a browser, edits move the mesh unless that is switched off", "[edi
   editing.browser.open(page->page);
   REQUIRE(editing.browser.wait("window.editor"));
   CHECK(editing.evaluate("document.getElementById('animate').checked") == false);
-  editing.open(model("figure-17.obj"));
+  editing.open(example_mesh("figure-17"));
   editing.choose("153 163");
   const std::string press =
       "(() => { const v = editor.view; document.querySelector('#offers button').click();"

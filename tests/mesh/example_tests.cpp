@@ -199,10 +199,6 @@ Surface figure_18() {
   return bench.result();
 }
 
-std::string example(const std::string& name) {
-  return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name + ".obj";
-}
-
 }  // namespace
 
 TEST_CASE("the examples' inputs are the models with their defects", "[examples]") {
@@ -213,9 +209,9 @@ TEST_CASE("the examples' inputs are the models with their defects", "[examples]"
     const std::string written = (tests::scratch() / (std::string(name) + ".obj")).string();
     tests::spill(written, obj_text(made.mesh, made.positions));
     INFO("as it is now: " << written);
-    CHECKED_ELSE(std::filesystem::exists(example(name))) { continue; }
+    CHECKED_ELSE(std::filesystem::exists(tests::example_mesh(name))) { continue; }
     const Surface now = read_surface(written, false);
-    const Surface kept = read_surface(example(name), false);
+    const Surface kept = read_surface(tests::example_mesh(name), false);
     CHECK(now.mesh == kept.mesh);
     REQUIRE(now.positions.size() == kept.positions.size());
     double farthest = 0;  // mathematical functions may differ in their last bits
@@ -266,7 +262,7 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
   }
   CHECK(joined == 4);
 
-  const Surface defect = read_surface(example("figure-18"), false);
+  const Surface defect = read_surface(tests::example_mesh("figure-18"), false);
   const Surface pulled = read("figure-18-repaired");
   const VertexId edge(221);
   CHECK(defect.mesh.valence(edge) == 3);
@@ -284,7 +280,7 @@ TEST_CASE("Figures 16-18: the examples' script repairs them", "[examples][progra
   }
   // While one of the vertices is on the edge, the ten v3s and two v5s cannot be reduced.
   const auto before =
-      tests::call("edit", "reduce '" + example("figure-18") + "' --feature-angle 40 -o less.obj --json -");
+      tests::call("edit", "reduce '" + tests::example_mesh("figure-18") + "' --feature-angle 40 -o less.obj --json -");
   REQUIRE(before.code == 0);
   CHECK(json::parse(before.out)["irregular"]["after"] == 4);
 }

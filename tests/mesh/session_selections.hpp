@@ -9,11 +9,6 @@
 
 namespace requad::tests {
 
-// The path of a mesh of mesh/examples.
-inline std::string example_mesh(const std::string& name) {
-  return std::string(REQUAD_SOURCE_DIR) + "/mesh/examples/" + name + ".obj";
-}
-
 inline mesh::Surface surface_of(const std::string& path) { return web::Session::read(slurp(path), path, false); }
 // The surface of a region in the plane.
 inline mesh::Surface surface_of(const mesh::Region& region) {

@@ -21,6 +21,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/enumerate/census.hpp"
 #include "tests/support/mesh/meshes.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/properties.hpp"
 #include "theory/joined.hpp"
 
@@ -64,7 +65,7 @@ const std::vector<Start>& starts() {
                             {"grid 1 1", tests::grid(1, 1).mesh},
                             {"grid 4 3", tests::grid(4, 3).mesh}};
     for (const std::string name : {"figure-16", "figure-17", "figure-18"}) {
-      list.push_back({name, read_surface(REQUAD_SOURCE_DIR "/mesh/examples/" + name + ".obj", false).mesh});
+      list.push_back({name, read_surface(tests::example_mesh(name), false).mesh});
     }
     for (const std::vector<int>& irregular : {std::vector<int>(8, 3), {3, 3, 3, 3, 3, 3, 3, 3, 3, 5}}) {
       for (const std::string& text : enumerate::search_spheres(irregular, 14, {}).signatures)

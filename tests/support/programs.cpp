@@ -77,6 +77,8 @@ std::size_t line_count(const std::string& text) {
 
 void spill(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
+std::string example_mesh(const std::string& name) { return REQUAD_SOURCE_DIR "/mesh/examples/" + name + ".obj"; }
+
 std::optional<std::string> real_mesh(const std::string& name) {
   const char* given = std::getenv("REQUAD_MESH_DIR");
   const fs::path path = fs::path(given ? given : REQUAD_SOURCE_DIR "/../shared/meshes") / (name + ".obj");

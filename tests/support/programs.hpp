@@ -35,5 +35,7 @@ void spill(const std::filesystem::path& path, const std::string& text);
 // The path of a mesh in the folder REQUAD_MESH_DIR, or ../shared/meshes from the project's root. If there is none,
 // warns that the test is skipped. The README of that folder has the numbers that tests expect.
 std::optional<std::string> real_mesh(const std::string& name);
+// The path of a mesh in mesh/examples.
+std::string example_mesh(const std::string& name);
 
 }  // namespace requad::tests

@@ -56,7 +56,6 @@ function refresh(selection, stages = [], ms = 0) {
   choose(selection);
   showFacts();
   showHistory();
-  showTools();
   $("welcome").hidden = true;
 }
 
