@@ -1,5 +1,4 @@
 // The reduction of a session: it runs on a copy of the mesh, and each cancellation is taken over as a step.
-#include "mesh/irregular/reduce.hpp"
 #include "mesh/web/session.hpp"
 
 namespace requad::web {
@@ -38,14 +37,11 @@ void Session::take_over(const Reduction& reduction, std::string words) {
 }
 
 Session::Slice Session::reduce() {
-  switch (reduction_->work->advance()) {
-    case mesh::Reduction::Slice::working: return Slice::working;
-    case mesh::Reduction::Slice::ended: return Slice::ended;
-    case mesh::Reduction::Slice::cancelled: break;
-  }
+  const Slice slice = reduction_->work->advance();
+  if (slice != Slice::cancelled) return slice;
   take_over(*reduction_, "reduce to " + std::to_string(reduction_->work->irregular()));
   reduction_->ends.push_back(reduction_->editor.mark());
-  return Slice::cancelled;
+  return slice;
 }
 
 void Session::finish_reduction() {

@@ -34,6 +34,7 @@
 #include "mesh/editing/shape_keeper.hpp"
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/irregular/reduce.hpp"
 #include "mesh/topology/distances.hpp"
 #include "mesh/web/offer.hpp"
 
@@ -142,7 +143,7 @@ class Session {
   // no bound) from what it is now. Any other step, and undo(), end the reduction.
   void start_reduction(int until, double deviation);
   // Works for some milliseconds. Precondition: a reduction runs.
-  enum class Slice { working, cancelled, ended };
+  using Slice = mesh::Reduction::Slice;
   Slice reduce();
   // Fits what was touched, as a last step, and ends the reduction. Steps that went too far are undone.
   void finish_reduction();
