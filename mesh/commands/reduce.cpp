@@ -130,7 +130,7 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
                          "the whole mesh, whatever was edited"),
           program::value("patience", "N",
                          "end when N cancellations in a row turn out to be impossible without losing the shape\n"
-                         "or inverting quads (default 16; 0: try them all)"),
+                         "or inverting quads (default 32; 0: try them all)"),
           allow_inverted_option(),
       }),
       .words = {1, 1},

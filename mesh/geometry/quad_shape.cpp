@@ -11,6 +11,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kFlat = 0.1;  // of the ideal area: det below this counts as small
+constexpr double kAngles = 2;  // what cot^2 of an angle counts
 
 // The positive function of det, with its slope.
 struct Positive {
@@ -24,12 +25,12 @@ Positive positive(double det, double flat) {
   return {value, value / root};
 }
 
-// One corner: its energy as a function of the lengths and of det, and how these change with the corner itself, with the
-// end of a and with the end of b.
+// One corner: its energy as a function of the lengths, of det and of the cotangent, and how these change with the corner
+// itself, with the end of a and with the end of b.
 struct CornerSlopes {
   std::array<std::size_t, 3> at;  // corners of the quad: itself, the end of a, the end of b
-  std::array<Vector3d, 3> by_lengths, by_det;
-  double slope_lengths, slope_det;  // of the energy
+  std::array<Vector3d, 3> by_lengths, by_det, by_cot;
+  double slope_lengths, slope_det, slope_cot;  // of the energy
   double curvature_det;
 };
 
@@ -47,6 +48,10 @@ CornerSlopes slopes_at(const QuadCorners& c, std::size_t j, const IdealQuad& ide
   result.slope_lengths = 1 / (4 * ideal.area) + ideal.area / (4 * squared);
   result.slope_det = -lengths * ideal.area * det.slope / (2 * squared * det.value);
   result.curvature_det = 1.5 * lengths * ideal.area * det.slope * det.slope / (squared * squared);
+  const double cot = a.dot(b) / det.value;
+  const std::array<Vector3d, 3> by_dot{-(a + b), b, a};
+  for (std::size_t i = 0; i < 3; ++i) result.by_cot[i] = (by_dot[i] - cot * det.slope * result.by_det[i]) / det.value;
+  result.slope_cot = 2 * kAngles * cot;
   return result;
 }
 
@@ -61,7 +66,8 @@ double shape_energy(const QuadCorners& c, const IdealQuad& ideal) {
     const Vector3d a = c[(j + 1) & 3] - c[j], b = c[(j + 3) & 3] - c[j];
     const double det = positive(ideal.normal.dot(a.cross(b)), kFlat * ideal.area).value;
     const double lengths = a.squaredNorm() + b.squaredNorm();
-    sum += lengths / (4 * ideal.area) + lengths * ideal.area / (4 * det * det) - 1;
+    const double cot = a.dot(b) / det;
+    sum += lengths / (4 * ideal.area) + lengths * ideal.area / (4 * det * det) - 1 + kAngles * cot * cot;
   }
   return sum;
 }
@@ -70,9 +76,11 @@ void add_shape(const QuadCorners& c, std::size_t k, const IdealQuad& ideal, doub
   for (const std::size_t j : {k, (k + 1) & 3, (k + 3) & 3}) {
     const CornerSlopes e = slopes_at(c, j, ideal);
     const std::size_t i = e.at[0] == k ? 0 : e.at[1] == k ? 1 : 2;
-    sums.gradient += factor * (e.slope_lengths * e.by_lengths[i] + e.slope_det * e.by_det[i]);
+    sums.gradient +=
+        factor * (e.slope_lengths * e.by_lengths[i] + e.slope_det * e.by_det[i] + e.slope_cot * e.by_cot[i]);
     sums.hessian.diagonal().array() += factor * kLengths[i][i] * e.slope_lengths;
     sums.hessian += (factor * e.curvature_det) * e.by_det[i] * e.by_det[i].transpose();
+    sums.hessian += (2 * factor * kAngles) * e.by_cot[i] * e.by_cot[i].transpose();
   }
 }
 
@@ -81,11 +89,13 @@ void add_shape(const QuadCorners& c, const IdealQuad& ideal, double factor, Quad
     const CornerSlopes e = slopes_at(c, j, ideal);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto row = static_cast<Eigen::Index>(3 * e.at[i]);
-      sums.gradient.segment<3>(row) += factor * (e.slope_lengths * e.by_lengths[i] + e.slope_det * e.by_det[i]);
+      sums.gradient.segment<3>(row) +=
+          factor * (e.slope_lengths * e.by_lengths[i] + e.slope_det * e.by_det[i] + e.slope_cot * e.by_cot[i]);
       for (std::size_t n = 0; n < 3; ++n) {
         auto block = sums.hessian.block<3, 3>(row, static_cast<Eigen::Index>(3 * e.at[n]));
         block.diagonal().array() += factor * kLengths[i][n] * e.slope_lengths;
         block += (factor * e.curvature_det) * e.by_det[i] * e.by_det[n].transpose();
+        block += (2 * factor * kAngles) * e.by_cot[i] * e.by_cot[n].transpose();
       }
     }
   }

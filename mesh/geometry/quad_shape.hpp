@@ -3,10 +3,11 @@
 // A corner of a quad has the edges a and b that leave it, counterclockwise, and det = N . (a x b). N and A are the normal
 // and the area that the quad should have: those of the surface where it lies.
 //
-//   shape(c) = (|a|^2 + |b|^2) / 4A + A (|a|^2 + |b|^2) / 4 det^2 - 1
+//   shape(c) = (|a|^2 + |b|^2) / 4A + A (|a|^2 + |b|^2) / 4 det^2 - 1 + 2 (a . b)^2 / det^2
 //
-// This is the symmetric Dirichlet energy of the map from a square of area A to the parallelogram of a and b: 0 for that
-// square, and without bound for corners that grow or vanish. In place of det stands a smooth function of it that is
+// The last term is 2 cot^2 of the corner's angle, so that rectangles are better than other parallelograms. The rest is the
+// symmetric Dirichlet energy of the map from a square of area A to the parallelogram of a and b: 0 for that square, and
+// without bound for corners that grow or vanish. In place of det stands a smooth function of it that is
 // positive everywhere, about det where det is not small, and falls with det. So a folded corner has a large energy that
 // falls as the corner unfolds (V. Garanzha et al., Foldover-free maps in 50 lines of code, 2021).
 //

@@ -49,7 +49,7 @@ struct ReduceOptions {
   double max_deviation = -1;
   // How far the mean scaled Jacobian may fall below that of the input. Negative: no bound.
   double max_quality_loss = -1;
-  int patience = 16;      // ends after so many cancellations in a row that were not acceptable; 0: tries all
+  int patience = 32;      // ends after so many cancellations in a row that were not acceptable; 0: tries all
   int sweeps = 3;         // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
   int final_rounds = 20;  // of the fit in the end, of all that was touched
   bool fit_all = false;   // the fit in the end moves all vertices, even if nothing was cancelled

@@ -101,7 +101,7 @@ TEST_CASE("reduce stops at the given number of vertices, and keeps to the given 
   Editor editor(m, nullptr, &positions);
   ReduceOptions how;
   how.max_deviation = 3e-3 * diagonal;
-  how.patience = 2;
+  how.patience = 8;
   const ReduceReport report = reduce(editor, how);
   CHECK(report.too_far > 0);
   CHECK_FALSE(report.minimal);
