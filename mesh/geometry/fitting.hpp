@@ -11,15 +11,15 @@
 // few samples near it, the surface pulls that vertex.
 //
 // A sweep visits the vertices in the given order. Each makes a step of Newton's method on the energy of its faces. A
-// joint step is one step of Newton's method for all vertices at once. Steps are halved until the energy falls.
+// joint step is one step of Newton's method for all vertices at once, whose linear equations are solved roughly. Steps are halved until the energy falls.
 //
 // Laws
 //   geometry-9   Boundary vertices, vertices that `fixed` names, and vertices that are not given keep their positions
 //                to the last bit.
 //   geometry-10  No sweep and no joint step raises the sum of the energies, with the homes, the nearest points and the
 //                ideals of faces as they are.
-// Costs: about 5 microseconds for each vertex and sweep, O(valence) in memory; for a joint step the sparse factorisation
-// of a matrix of three rows for each vertex, about 40 microseconds for each vertex of a mesh of three thousand.
+// Costs: about 5 microseconds for each vertex and sweep, O(valence) in memory; for a joint step some tens of products of a
+// vector with a sparse matrix of three rows for each vertex.
 #pragma once
 
 #include <functional>

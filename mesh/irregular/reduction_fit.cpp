@@ -128,7 +128,7 @@ bool ReductionFit::is_within_bound() const {
 }
 
 bool ReductionFit::is_too_far() const {
-  constexpr double kPart = 0.9;
+  constexpr double kPart = 0.97;
   return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
 }
 
