@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/topology/id_lists.hpp"
@@ -21,7 +22,7 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
       start_(editor.mark()) {
   editor.keep(&homes_);
   const double avoided = kUsualTolerance * bounding_box_diagonal(m_, input_positions_);
-  bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
+  bound_ = usual_bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
   fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
   fitting_.sweeps = std::max(options.sweeps, 1);
   input_quality_ = mean_quality();
@@ -74,11 +75,12 @@ void ReductionFit::straighten() {
 }
 
 void ReductionFit::fit_in_the_end() {
-  if (std::isfinite(bound_) && std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
-                                           [this](double quality) { return fit_in_the_end(quality); }))
-    return;
-  // Nobody asked for the bound, or there is none: the surface comes first.
-  if (options_.max_deviation >= 0) return;
+  const double bound = std::exchange(bound_, usual_bound_);
+  const bool done = std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
+                                [this](double quality) { return fit_in_the_end(quality); });
+  bound_ = bound;
+  // If nobody asked for the bound, the surface comes first.
+  if (done || options_.max_deviation >= 0) return;
   lift_bound();
   fit_in_the_end(kQualityWeight);
 }

@@ -73,7 +73,8 @@ class ReductionFit {
   static constexpr Reach kWhenMade{4, 3, false};
   static constexpr Reach kAgain{12, 2, true};
   // In the end: good quads as far as the bound allows.
-  static constexpr std::array<double, 3> kFinalQualities{kGoodQuads, 4 * kQualityWeight, kQualityWeight};
+  static constexpr std::array<double, 4> kFinalQualities{kGoodQuads, 4 * kQualityWeight, kQualityWeight,
+                                                         kQualityWeight / 4};
 
   const Positions& positions() const { return *editor_.positions(); }
   void fit_since(std::size_t mark, const Reach& reach);
@@ -91,6 +92,7 @@ class ReductionFit {
   SurfaceIndex surface_;
   FitOptions fitting_;
   double bound_ = 0;
+  double usual_bound_ = 0;  // before it is lifted
   double input_quality_ = 0;
   std::size_t start_;
   BreadthFirstDistances around_;
