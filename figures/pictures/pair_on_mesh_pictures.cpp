@@ -57,7 +57,7 @@ Paint paint_pair_on_mesh() {
   const std::vector<Example> examples{
       {region_with(theory::kQuad, 2, 3, {3, 3, 3, 3}), 0.03, 0.03, "(a) a 3-5 pair"},
       {region_with(theory::kDigon, 3, 4, {4, 4}), 0.035, 0.035, "(b) a 3-3 pair"},
-      {region_with(theory::kHexagon, 2, 3, {3, 3, 3, 3, 3, 3}), 0.03, -0.03, "(c) a 5-5 pair"}};
+      {region_with(theory::kHexagon, 3, 3, {3, 3, 3, 3, 3, 3}), 0.03, -0.03, "(c) a 5-5 pair"}};
   Sheet sheet(24, 10);
   for (std::size_t i = 0; i < examples.size(); ++i) {
     const Example& example = examples[i];
