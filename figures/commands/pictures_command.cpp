@@ -255,7 +255,8 @@ int write_pictures(const Options& options) {
     }
   }
   progress.finish();
-  if (options.has("page")) folder.add("README.md", gallery_page(), "Gallery", ordered_json::object());
+  const bool has_screenshots = fs::exists(fs::path(path) / "explorer.png") && fs::exists(fs::path(path) / "editor.png");
+  if (options.has("page")) folder.add("README.md", gallery_page(has_screenshots), "Gallery", ordered_json::object());
   folder.finish(options);
   return program::kDone;
 }
@@ -291,7 +292,9 @@ program::Command pictures_command() {
   };
   for (program::Option& option : page_options(chosen_formats, has_labels)) options.push_back(std::move(option));
   options.push_back(program::only_if(
-      program::flag("page", "write DIR/README.md too, a page with all figures, their captions and commands"),
+      program::flag("page",
+                    "write DIR/README.md too, a page with all figures, their captions and commands, and with\n"
+                    "explorer.png and editor.png if DIR has them"),
       [](const Options& given) {
         return is_one_file(given) ? std::string("--page has no effect where -o names one file") : "";
       }));

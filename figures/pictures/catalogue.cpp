@@ -176,25 +176,42 @@ const std::vector<CatalogueEntry>& catalogue() {
   return entries;
 }
 
-std::string gallery_page() {
-  std::string page =
-      "# Gallery\n\n"
-      "Figures of the paper, and some of our own. The library's operations or generators made every mesh, and every "
-      "drawing is computed. `requad-figures -o DIR` makes all of them. Use `--format pdf`, `png` or `tikz` for other "
-      "formats, `--side L` for other sizes, and `--width 240pt --palette print` for the column of a paper.\n\n"
-      "An irregular vertex is drawn as a polygon with as many corners as its valence: v3 blue, v5 orange, v6 red, v2 "
-      "(a "
-      "rhombus) purple, and from v7 on a star with as many points. A quad that was made is yellow and has a plus. A "
-      "quad "
-      "that is deleted is red and has a cross. Both signs stand upright on the page. So the figures can be read "
-      "without "
-      "colours. On meshes in space, features are bold and black, boundaries bold and green.\n";
+std::string gallery_page(bool with_screenshots) {
+  std::string page = R"(# Gallery
+
+Figures of the paper, and some of our own. The library's operations or generators made every mesh, and every drawing is
+computed. `requad-figures -o DIR` makes all of them. Use `--format pdf`, `png` or `tikz` for other formats, `--side L` for
+other sizes, and `--width 240pt --palette print` for the column of a paper.
+
+An irregular vertex is drawn as a polygon with as many corners as its valence: v3 blue, v5 orange, v6 red, v2 (a rhombus)
+purple, and from v7 on a star with as many points. A quad that was made is yellow and has a plus. A quad that is deleted
+is red and has a cross. Both signs stand upright on the page. So the figures can be read without colours. On meshes in
+space, features are bold and black, boundaries bold and green.
+)";
   for (const CatalogueEntry& entry : catalogue()) {
     page += "\n## " + std::string(*entry.paper == '\0' ? "" : "Figure " + std::string(entry.paper) + ": ") +
             entry.title + "\n\n";
     page += std::string("![") + entry.title + "](" + entry.file() + ".svg)\n\n" + entry.caption + "\n\n";
     page += "    requad-figures --figure " + std::string(entry.id) + " --format svg\n";
   }
+  if (!with_screenshots) return page;
+  page += R"(
+## Pages to explore
+
+Two pages for a browser, each one file that needs no other.
+
+![The explorer: the configurations of a region as a graph, and the mesh of one of them](explorer.png)
+
+The explorer shows all configurations of a region. Moves lead from one to the next, and a film shows the operations of a
+move.
+
+    requad-figures --explorer --sides 6,6 --pair 3-3 -o explorer.html
+
+![The editor: a 3-5 pair, its four moves as pairs of arrows, and what each of them does](editor.png)
+
+The editor is the paper's system on meshes of one's own (Figure 9). `tests/run` makes `build/requad-editor.html`; the
+project's README says how else it is built.
+)";
   return page;
 }
 

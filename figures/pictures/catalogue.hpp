@@ -54,7 +54,8 @@ struct CatalogueEntry {
 };
 const std::vector<CatalogueEntry>& catalogue();
 
-// The gallery as a page in Markdown: the SVG of each entry, its caption and the command that makes it.
-std::string gallery_page();
+// The gallery as a page in Markdown: the SVG of each entry, its caption and the command that makes it. With screenshots, the
+// page ends with explorer.png and editor.png.
+std::string gallery_page(bool with_screenshots);
 
 }  // namespace requad::figures

@@ -343,7 +343,8 @@ TEST_CASE("every figure has the same bytes each time, in every format", "[figure
 
 TEST_CASE("the gallery's page is up to date, and its pictures exist", "[figures]") {
   const std::filesystem::path folder = std::filesystem::path(REQUAD_SOURCE_DIR) / "figures" / "gallery";
-  CHECK(tests::slurp(folder / "README.md") == gallery_page());
+  CHECK(tests::slurp(folder / "README.md") == gallery_page(true));
+  for (const char* screenshot : {"explorer.png", "editor.png"}) CHECK(std::filesystem::exists(folder / screenshot));
   for (const CatalogueEntry& entry : catalogue())
     CHECK(Paths(tests::slurp(folder / (entry.file() + ".svg"))).all() > 10);
 }
