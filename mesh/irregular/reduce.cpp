@@ -16,11 +16,12 @@ namespace requad::mesh {
 
 namespace {
 
-constexpr int kPartners = 3;            // candidates looked for at each vertex
-constexpr int kHelpers = 8;             // third vertices offered to a cancellation
-constexpr int kRescues = 4;             // fits with more effort of a cancellation that is not acceptable
-constexpr int kRefresh = 4;             // cancellations between two fits of all that was touched
-constexpr double kHopeless = 1.5;       // how_far_from_acceptable()
+constexpr int kPartners = 3;       // candidates looked for at each vertex
+constexpr int kHelpers = 8;        // third vertices offered to a cancellation
+constexpr int kStates = 1000;      // positions that a transport may visit; a longer search costs more than it finds
+constexpr int kRescues = 4;        // fits with more effort of a cancellation that is not acceptable
+constexpr int kRefresh = 4;        // cancellations between two fits of all that was touched
+constexpr double kHopeless = 1.5;  // how_far_from_acceptable()
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 
 }  // namespace
@@ -36,11 +37,13 @@ class Reduction::Work {
     }
   };
 
-  // A cancellation that was made and was not acceptable. It is tried again when an edit has changed something where it went.
-  enum class Reason { inward, folded, worn, too_far };  // ReduceReport
+  // A cancellation that was refused, or was made and was not acceptable. It is tried again when an edit has changed something
+  // where it went or, if it was refused, nearer to its v3 than the farthest helper.
+  enum class Reason { refused, inward, folded, worn, too_far };  // ReduceReport
   struct Failure {
     int stage;
     Reason reason;
+    Refusal refusal;
     std::vector<VertexId> where;
   };
 
@@ -53,7 +56,7 @@ class Reduction::Work {
 
  public:
   Work(Editor& editor, const ReduceOptions& options)
-      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor), fit_(editor, options) {
+      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor, kStates), fit_(editor, options) {
     report_.before = report_.after = count_irregular();
   }
 
@@ -69,7 +72,7 @@ class Reduction::Work {
     }
     if (!goes_on() || (queue_.empty() && !progress_)) {
       count_failures();
-      return widen() ? Slice::working : Slice::ended;
+      return retry_refused() || widen() ? Slice::working : Slice::ended;
     }
     if (queue_.empty()) {
       begin_round();
@@ -126,9 +129,16 @@ class Reduction::Work {
     for (const VertexId v : all_) remember(v);
     faces_ = m_.face_count();
     progress_ = false;
-    report_.refusals.clear();
     queue_ = {};
     queued_ = 0;
+  }
+  // In the end, lets all that was refused be tried again, once between two cancellations: what was in its way may have
+  // been far from it. Returns whether there is anything.
+  bool retry_refused() {
+    if (!goes_on() || retried_at_ == stage()) return false;
+    retried_at_ = stage();
+    progress_ = std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::refused; }) > 0;
+    return progress_;
   }
   // In the end, lets cancellations lead further than the usual bound, if nobody asked for a bound. Returns whether that may
   // help.
@@ -148,9 +158,11 @@ class Reduction::Work {
     report_.folded = 0;
     report_.inward = 0;
     report_.worn = 0;
+    report_.refusals.clear();
     for (const auto& [pair, failure] : failures_) {
       if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
-        ++(failure.reason == Reason::inward   ? report_.inward
+        ++(failure.reason == Reason::refused  ? report_.refusals[failure.refusal]
+           : failure.reason == Reason::inward ? report_.inward
            : failure.reason == Reason::folded ? report_.folded
            : failure.reason == Reason::worn   ? report_.worn
                                               : report_.too_far);
@@ -167,6 +179,7 @@ class Reduction::Work {
     fit_.fit_made(start);
     if (options_.allow_inverted || count_inverted(m_, positions()) <= inverted) {
       report_.parted += parted;
+      failures_.clear();
     } else {
       editor_.roll_back(start);
     }
@@ -221,7 +234,7 @@ class Reduction::Work {
   void remember_failure(VertexId three, VertexId five) {
     std::vector<VertexId> where = fit_.affected().near;
     where.insert(where.end(), fit_.affected().removed.begin(), fit_.affected().removed.end());
-    failures_[{three, five}] = {stage(), reason(), std::move(where)};
+    failures_[{three, five}] = {stage(), reason(), Refusal::none, std::move(where)};
     ++failures_in_a_row_;
   }
 
@@ -234,8 +247,9 @@ class Reduction::Work {
       on_the_way = [this](std::size_t mark) { fit_.fit_transport(mark); };
     }
     last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
-    if (last_.refusal != Refusal::none) ++report_.refusals[last_.refusal];
-    return last_.refusal == Refusal::none;
+    if (last_.refusal == Refusal::none) return true;
+    failures_[{three, five}] = {stage(), Reason::refused, last_.refusal, around_.met()};
+    return false;
   }
 
   // What a cancellation seems to cost. Nothing is fitted for it, so this is quick: the paper's cost, or the number of
@@ -412,6 +426,7 @@ class Reduction::Work {
   std::map<std::pair<VertexId, VertexId>, Failure> failures_;
   int failures_in_a_row_ = 0;
   int refreshed_at_ = 0;         // stage()
+  int retried_at_ = -1;          // stage()
   std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
   Cancellation last_;            // of make()
   double quality_ = 0;           // the sum over all faces, of the mesh after the last cancellation

@@ -184,8 +184,7 @@ void PairTransport::expand(int node, AdjacentPair pair, std::span<const VertexId
   }
 }
 
-TransportReport PairTransport::carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross,
-                                     std::int64_t most_states) {
+TransportReport PairTransport::carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross) {
   const QuadMesh& m = editor_.mesh();
   const Sectors& sectors = editor_.sectors();
   TransportReport result;
@@ -204,7 +203,7 @@ TransportReport PairTransport::carry(AdjacentPair start, std::span<const VertexI
   measure_distances(targets, start);
   const auto met = [this](VertexId v) { return distances_.distance(v) >= 0; };
   if (met(start.u(m)) || met(start.v(m))) open_.push({0, 0, 0, 0});
-  while (!open_.empty() && result.states < most_states) {
+  while (!open_.empty() && result.states < most_states_) {
     const int node = open_.top().node;
     open_.pop();
     ++result.states;

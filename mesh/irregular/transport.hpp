@@ -137,13 +137,14 @@ struct TransportReport {
 // about the length of the path. Only the memory grows with the mesh: it has two integers for each vertex.
 class PairTransport {
  public:
-  explicit PairTransport(Editor& editor) : editor_(editor) {}
+  // A transport that has visited most_states positions ends without a path.
+  explicit PairTransport(Editor& editor, std::int64_t most_states = 4000)
+      : editor_(editor), most_states_(most_states) {}
 
   // Transports the pair from `start` until one of the targets absorbs it. The transport changes a fixed vertex only if
   // the editor's sector plan allows this, and an irregular vertex only if it is a target. If `may_cross` is true, the
   // pair may cross one target on its way. After a refusal the mesh is as before.
-  TransportReport carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross = true,
-                        std::int64_t most_states = 4000);
+  TransportReport carry(AdjacentPair start, std::span<const VertexId> targets, bool may_cross = true);
 
  private:
   struct Node {
@@ -172,6 +173,7 @@ class PairTransport {
   void expand(int node, AdjacentPair pair, std::span<const VertexId> targets, Obstacles& obstacles);
 
   Editor& editor_;
+  std::int64_t most_states_;
   std::vector<Node> nodes_;
   std::vector<int> path_;  // nodes performed on the mesh now, in order
   std::priority_queue<Open> open_;
