@@ -111,7 +111,7 @@ TEST_CASE("in a browser, how fast the editor is", "[.][editor-speed]") {
     told << name << ": opens in " << opened << " ms; preview " << move["preview"] << " ms, move " << move["move"]
          << " ms, turn " << move["turn"] << " ms, " << move["bytes"] << " bytes uploaded by the move\n";
   };
-  if (const auto spot = real_mesh("spot.obj")) measure("spot", *spot);
+  if (const auto spot = real_mesh("spot")) measure("spot", *spot);
   measure("10k quads", sheet_file(100, 100));
   measure("100k quads", sheet_file(320, 320));
   editing.open(example_mesh("figure-17"));
