@@ -255,8 +255,10 @@ int write_pictures(const Options& options) {
     }
   }
   progress.finish();
-  const bool has_screenshots = fs::exists(fs::path(path) / "explorer.png") && fs::exists(fs::path(path) / "editor.png");
-  if (options.has("page")) folder.add("README.md", gallery_page(has_screenshots), "Gallery", ordered_json::object());
+  if (options.has("page")) {
+    const bool shots = fs::exists(fs::path(path) / "explorer.png") && fs::exists(fs::path(path) / "editor.png");
+    folder.add("README.md", gallery_page(shots), "Gallery", ordered_json::object());
+  }
   folder.finish(options);
   return program::kDone;
 }

@@ -7,9 +7,9 @@
 //
 // The last term is 2 cot^2 of the corner's angle, so that rectangles are better than other parallelograms. The rest is the
 // symmetric Dirichlet energy of the map from a square of area A to the parallelogram of a and b: 0 for that square, and
-// without bound for corners that grow or vanish. In place of det stands a smooth function of it that is
-// positive everywhere, about det where det is not small, and falls with det. So a folded corner has a large energy that
-// falls as the corner unfolds (V. Garanzha et al., Foldover-free maps in 50 lines of code, 2021).
+// without bound for corners that grow or vanish. In place of det stands a smooth function of it that is positive
+// everywhere, about det where det is not small, and falls with det. So a folded corner has a large energy that falls as
+// the corner unfolds (V. Garanzha et al., Foldover-free maps in 50 lines of code, 2021).
 //
 // Second derivatives are replaced by a positive semidefinite part of them.
 #pragma once

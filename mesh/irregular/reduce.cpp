@@ -43,8 +43,8 @@ class Reduction::Work {
   struct Failure {
     int stage;
     Reason reason;
-    Refusal refusal;
     std::vector<VertexId> where;
+    Refusal refusal = Refusal::none;
   };
 
   // What a cancellation that was made adds to the report.
@@ -234,7 +234,7 @@ class Reduction::Work {
   void remember_failure(VertexId three, VertexId five) {
     std::vector<VertexId> where = fit_.affected().near;
     where.insert(where.end(), fit_.affected().removed.begin(), fit_.affected().removed.end());
-    failures_[{three, five}] = {stage(), reason(), Refusal::none, std::move(where)};
+    failures_[{three, five}] = {stage(), reason(), std::move(where)};
     ++failures_in_a_row_;
   }
 
@@ -248,7 +248,7 @@ class Reduction::Work {
     }
     last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
     if (last_.refusal == Refusal::none) return true;
-    failures_[{three, five}] = {stage(), Reason::refused, last_.refusal, around_.met()};
+    failures_[{three, five}] = {stage(), Reason::refused, around_.met(), last_.refusal};
     return false;
   }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/topology/id_lists.hpp"
@@ -22,7 +21,8 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
       start_(editor.mark()) {
   editor.keep(&homes_);
   const double avoided = kUsualTolerance * bounding_box_diagonal(m_, input_positions_);
-  bound_ = usual_bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
+  usual_bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
+  bound_ = usual_bound_;
   fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
   fitting_.sweeps = std::max(options.sweeps, 1);
   input_quality_ = mean_quality();
@@ -75,19 +75,17 @@ void ReductionFit::straighten() {
 }
 
 void ReductionFit::fit_in_the_end() {
-  const double bound = std::exchange(bound_, usual_bound_);
   const bool done = std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
-                                [this](double quality) { return fit_in_the_end(quality); });
-  bound_ = bound;
+                                [this](double quality) { return fit_in_the_end(quality, usual_bound_); });
   // If nobody asked for the bound, the surface comes first.
   if (done || options_.max_deviation >= 0) return;
   lift_bound();
-  fit_in_the_end(kQualityWeight);
+  fit_in_the_end(kQualityWeight, bound_);
 }
 
-// In some rounds at a time. What they make worse is taken back, up to the last ones that made nothing worse. Returns
-// whether there are such.
-bool ReductionFit::fit_in_the_end(double quality) {
+// In some rounds at a time. What they make worse, or lead beyond the bound, is taken back, up to the last ones that did
+// neither. Returns whether there are such.
+bool ReductionFit::fit_in_the_end(double quality, double bound) {
   constexpr int kAtATime = 5;
   const int inverted = count_inverted(m_, positions());
   const double quality_before = mean_quality();
@@ -104,7 +102,7 @@ bool ReductionFit::fit_in_the_end(double quality) {
     }
     fit_affected(reach, quality);
     if (!options_.allow_inverted && count_inverted(m_, positions()) > inverted) straighten();
-    if ((!options_.allow_inverted && count_inverted(m_, positions()) > inverted) || !is_within_bound()) continue;
+    if ((!options_.allow_inverted && count_inverted(m_, positions()) > inverted) || !is_within(bound)) continue;
     const double now = mean_quality();
     if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
       continue;
@@ -125,8 +123,8 @@ std::size_t ReductionFit::carry() {
 
 void ReductionFit::lift_bound() { bound_ = std::numeric_limits<double>::infinity(); }
 
-bool ReductionFit::is_within_bound() const {
-  return !std::isfinite(bound_) || hausdorff_distance({m_, positions()}, {input_, input_positions_}) <= bound_;
+bool ReductionFit::is_within(double bound) const {
+  return !std::isfinite(bound) || hausdorff_distance({m_, positions()}, {input_, input_positions_}) <= bound;
 }
 
 bool ReductionFit::is_too_far() const {

@@ -50,7 +50,7 @@ class ReductionFit {
   double bound() const { return bound_; }
   void lift_bound();
   // Of the whole mesh. O(F) queries of the nearest point.
-  bool is_within_bound() const;
+  bool is_within_bound() const { return is_within(bound_); }
   // Whether something of the region uses more of the bound than a cancellation may, since later ones need some, too.
   bool is_too_far() const;
   // The largest distance in the region of samples from their homes, and of the corners and centres of faces from the
@@ -79,7 +79,8 @@ class ReductionFit {
   const Positions& positions() const { return *editor_.positions(); }
   void fit_since(std::size_t mark, const Reach& reach);
   void fit_affected(const Reach& reach, double quality);
-  bool fit_in_the_end(double quality);
+  bool fit_in_the_end(double quality, double bound);
+  bool is_within(double bound) const;
   std::vector<FaceId> affected_faces() const;
   double distance_from_surface() const;
 
