@@ -180,7 +180,11 @@ json to_json(const Offers& offers) {
                     {"helpers", ids(o.helpers)},
                     {"arrows", arrows}});
   }
-  return {{"why", offers.why}, {"hint", offers.hint}, {"third", offers.third.index()}, {"list", list}};
+  return {{"why", offers.why},
+          {"hint", offers.hint},
+          {"third", offers.third.index()},
+          {"list", list},
+          {"more", offers.more}};
 }
 
 json answer_to(State& s, const json& request) {
@@ -190,7 +194,10 @@ json answer_to(State& s, const json& request) {
     return Eigen::Vector3d(request.at(key)[0], request.at(key)[1], request.at(key)[2]);
   };
   if (what == "status") return status(s);
-  if (what == "offers") return to_json(session.offers(selection_of(request.at("selection"))));
+  if (what == "offers") {
+    const Selection chosen = selection_of(request.at("selection"));
+    return to_json(request.value("quick", false) ? session.quick_offers(chosen) : session.offers(chosen));
+  }
   if (what == "perform") return perform(s, request);
   if (what == "smooth") {
     std::vector<VertexId> centres;

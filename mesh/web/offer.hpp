@@ -57,6 +57,7 @@ struct Offers {
   std::string hint;  // what would help then, or if no offer can be made
   VertexId third;    // an irregular vertex that could help a pair of which no offer can be made
   std::vector<Offer> list;
+  bool more = false;  // there may be others, which take longer to find: Session::offers() adds them
 };
 
 }  // namespace requad::web

@@ -19,6 +19,8 @@ using mesh::Refusal;
 
 namespace {
 
+constexpr const char* kCancel = "cancel";
+
 // A refusal in words; "" if there is none.
 std::string words(Refusal refusal, const mesh::Obstacles& obstacles = {}) {
   if (refusal == Refusal::none) return "";
@@ -115,29 +117,38 @@ Refusal Session::offer_moves(VertexId a, VertexId b) {
   });
 }
 
-// Merging and aligning of two of a kind, and cancelling of two of opposite kinds.
+mesh::Cancellation Session::cancel(const Selection& selection, const std::vector<VertexId>& helpers,
+                                   const std::function<void(std::size_t)>& after_transport) {
+  const bool a_lacks = mesh_.valence(selection.a) < 4;
+  mesh::PairTransport transport(editor_);
+  return mesh::cancel_pair(editor_, transport, a_lacks ? selection.a : selection.b, a_lacks ? selection.b : selection.a,
+                           helpers, after_transport);
+}
+
+// The offer shows what a cancellation changes. So it is found without fits, which take several times as long.
+void Session::offer_cancellation(const Selection& selection) {
+  const std::size_t mark = editor_.mark();
+  Offer offer;
+  offer.name = kCancel;
+  offer.helpers = selection.helpers;
+  if (offer.helpers.empty()) {
+    const bool a_lacks = mesh_.valence(selection.a) < 4;
+    offer.helpers = mesh::usual_helpers(editor_, distances_, a_lacks ? selection.a : selection.b,
+                                        a_lacks ? selection.b : selection.a);
+  }
+  const mesh::Cancellation result = cancel(selection, offer.helpers, {});
+  offer.why = words(result.refusal, result.obstacles);
+  offer.help = what_helps(result.refusal, result.obstacles);
+  offer.effect = "both become regular; third vertices move by " + std::to_string(result.transports) +
+                 (result.transports == 1 ? " edge" : " edges");
+  add_offer(mark, std::move(offer));
+}
+
+// Cancelling of two of opposite kinds, or merging and aligning of two of a kind.
 void Session::offer_complementary(const Selection& selection) {
   const VertexId a = selection.a, b = selection.b;
-  if (editor_.is_fixed(a) || editor_.is_fixed(b)) return;
+  if ((mesh_.valence(a) - 4) * (mesh_.valence(b) - 4) < 0) return offer_cancellation(selection);
   const std::size_t mark = editor_.mark();
-  const int sign_a = mesh_.valence(a) - 4, sign_b = mesh_.valence(b) - 4;
-  if (sign_a * sign_b < 0) {
-    const auto [three, five] = sign_a < 0 ? std::pair(a, b) : std::pair(b, a);
-    mesh::PairTransport transport(editor_);
-    const std::vector<VertexId> helpers =
-        selection.helpers.empty() ? mesh::usual_helpers(editor_, distances_, three, five) : selection.helpers;
-    const mesh::Cancellation result = mesh::cancel_pair(editor_, transport, three, five, helpers,
-                                                        [this](std::size_t made) { shape_.fit_transport(made); });
-    Offer offer;
-    offer.name = "cancel";
-    offer.why = words(result.refusal, result.obstacles);
-    offer.help = what_helps(result.refusal, result.obstacles);
-    offer.helpers = helpers;
-    offer.effect = "both become regular; third vertices move by " + std::to_string(result.transports) +
-                   (result.transports == 1 ? " edge" : " edges");
-    add_offer(mark, std::move(offer));
-    return;
-  }
   for (const auto& [name, operation] : {std::pair("align", &mesh::align_pair), std::pair("merge", &mesh::merge_pair)}) {
     const mesh::PairResult result = operation(editor_, a, b);
     Offer offer;
@@ -199,7 +210,7 @@ void Session::offer_feature(VertexId a, VertexId b) {
   add_offer(editor_.mark(), std::move(offer));
 }
 
-Refusal Session::offer_all(const Selection& selection) {
+Refusal Session::offer_quick(const Selection& selection) {
   using Kind = BasicOperation::Kind;
   if (!is_live(selection)) return Refusal::dead_element;
   switch (selection.kind) {
@@ -209,9 +220,8 @@ Refusal Session::offer_all(const Selection& selection) {
       break;
     case Selection::Kind::pair: {
       const Refusal refusal = offer_moves(selection.a, selection.b);
-      if (refusal != Refusal::none) return refusal;
-      offer_complementary(selection);
-      break;
+      offered_.more = refusal == Refusal::none && !editor_.is_fixed(selection.a) && !editor_.is_fixed(selection.b);
+      return refusal;
     }
     case Selection::Kind::edge: {
       HalfEdgeId h = mesh_.find_half_edge(selection.a, selection.b);
@@ -253,15 +263,35 @@ void Session::advise(const Selection& selection, Refusal refusal) {
                                          : "There is no third irregular vertex, which could help.";
 }
 
-const Offers& Session::offers(const Selection& selection) {
+const Offers& Session::quick_offers(const Selection& selection) {
   if (offered_to_ == selection) return offered_;
   offered_ = {};
   offered_edits_.clear();
-  const Refusal refusal = offer_all(selection);
+  const Refusal refusal = offer_quick(selection);
   offered_to_ = selection;
   offered_.why = words(refusal);
-  advise(selection, refusal);
+  if (!offered_.more) advise(selection, refusal);
   return offered_;
+}
+
+const Offers& Session::offers(const Selection& selection) {
+  quick_offers(selection);
+  if (std::exchange(offered_.more, false)) {
+    offer_complementary(selection);
+    advise(selection, Refusal::none);
+  }
+  return offered_;
+}
+
+// What makes an offer. Precondition: it is legal.
+std::vector<Edit> Session::edits_of(std::size_t offer) {
+  if (offered_.list[offer].name != kCancel) return offered_edits_[offer];
+  const std::size_t mark = editor_.mark();
+  cancel(*offered_to_, offered_.list[offer].helpers, [this](std::size_t made) { shape_.fit_transport(made); });
+  const auto edits = std::span(editor_.edits()).subspan(mark);
+  const std::vector<Edit> result(edits.begin(), edits.end());
+  editor_.roll_back(mark);
+  return result;
 }
 
 std::string Session::words_for(const Selection& s, const std::string& name) const {
@@ -273,10 +303,15 @@ std::string Session::words_for(const Selection& s, const std::string& name) cons
 }
 
 std::string Session::perform(const Selection& selection, const std::string& name, const Watch& watch) {
-  const Offers& all = offers(selection);
-  const auto offer = std::find_if(all.list.begin(), all.list.end(), [&name](const Offer& o) { return o.name == name; });
-  if (offer == all.list.end())
-    return all.list.empty() && !all.why.empty() ? all.why : "this is not among the edits of the selection";
+  const std::vector<Offer>& list = offered_.list;
+  const auto called = [&] {
+    return std::find_if(list.begin(), list.end(), [&name](const Offer& o) { return o.name == name; });
+  };
+  quick_offers(selection);
+  if (called() == list.end()) offers(selection);
+  const auto offer = called();
+  if (offer == list.end())
+    return list.empty() && !offered_.why.empty() ? offered_.why : "this is not among the edits of the selection";
   if (!offer->is_legal()) return offer->why;
   std::string done = words_for(selection, name);
   if (offer->feature) {
@@ -288,7 +323,7 @@ std::string Session::perform(const Selection& selection, const std::string& name
     return change_features(std::move(edges), std::move(done));
   }
   Step step{std::move(done), editor_.mark(), 0};
-  for (const Edit& edit : offered_edits_[static_cast<std::size_t>(offer - all.list.begin())]) {
+  for (const Edit& edit : edits_of(static_cast<std::size_t>(offer - list.begin()))) {
     editor_.redo(edit);
     if (watch && edit.operates) watch(touched_by({"", editor_.mark() - 1, editor_.mark()}).quads);
   }

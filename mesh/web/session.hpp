@@ -34,6 +34,7 @@
 #include "mesh/editing/shape_keeper.hpp"
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/irregular/reduce.hpp"
 #include "mesh/topology/distances.hpp"
 #include "mesh/web/offer.hpp"
@@ -119,6 +120,9 @@ class Session {
   //   quad    the two collapses
   // The offers stay valid until the next step, undo or redo, or until others are asked for.
   const Offers& offers(const Selection& selection);
+  // Those of them that are quickly found: all but merging, aligning and cancelling, for which distant pairs take long.
+  // `more` says whether these are still to come.
+  const Offers& quick_offers(const Selection& selection);
   // Makes the edit of this name and fits what lies around it. Returns "", or why it was refused: nothing changes then.
   // `watch` is told after each operation of it: the quads that it changed, made or removed.
   using Watch = std::function<void(std::span<const FaceId>)>;
@@ -171,14 +175,18 @@ class Session {
     std::vector<FaceId> quads;  // made, removed, or at these vertices
   };
   // Each makes edits of the selection in turn, adds an offer for each, and rolls it back.
-  mesh::Refusal offer_all(const Selection& selection);
+  mesh::Refusal offer_quick(const Selection& selection);
   mesh::Refusal offer_moves(VertexId a, VertexId b);
   void offer_complementary(const Selection& selection);
+  void offer_cancellation(const Selection& selection);
+  mesh::Cancellation cancel(const Selection& selection, const std::vector<VertexId>& helpers,
+                            const std::function<void(std::size_t)>& after_transport);
   void offer_atomic(const Selection& selection);
   void offer_basic(const mesh::BasicOperation& operation, const std::string& name);
   void offer_feature(VertexId a, VertexId b);
   void advise(const Selection& selection, mesh::Refusal refusal);
   void add_offer(std::size_t mark, Offer offer);
+  std::vector<mesh::Edit> edits_of(std::size_t offer);
   Outcome outcome_since(std::size_t mark) const;
   void compare(const Outcome& outcome, Offer& offer) const;
   Touched touched_by(const Step& step) const;
@@ -205,7 +213,7 @@ class Session {
   mutable std::vector<int> numbers_;  // by vertex slot; empty if they are to be counted anew
   std::optional<Selection> offered_to_;
   Offers offered_;
-  std::vector<std::vector<mesh::Edit>> offered_edits_;  // by offer: what perform() makes
+  std::vector<std::vector<mesh::Edit>> offered_edits_;  // by offer
   std::vector<Step> steps_;
   std::vector<Step> undone_steps_;
   std::vector<std::vector<mesh::Edit>> undone_edits_;  // of the undone steps

@@ -115,7 +115,9 @@ void Editing::take_example(const std::string& name) {
   settle();
 }
 
-void Editing::settle() { REQUIRE(browser.wait("!editor.view.waiting && !editor.view.playing")); }
+void Editing::settle() {
+  REQUIRE(browser.wait("!editor.view.waiting && !editor.view.playing && !editor.state.offers.more"));
+}
 
 std::array<double, 2> Editing::place(const std::string& point) {
   const json at = evaluate(

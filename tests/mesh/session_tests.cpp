@@ -130,6 +130,32 @@ TEST_CASE("law web-1: an offer shows exactly what is then done", "[session]") {
   }
 }
 
+TEST_CASE("quick offers are the first of all offers, and every offer can be made after them", "[session]") {
+  Session session(surface_of(example_mesh("figure-17")));
+  int later = 0;
+  for (const Selection& selection : some_selections(session)) {
+    const web::Offers quick = session.quick_offers(selection);  // copies
+    const web::Offers all = session.offers(selection);
+    CHECK_FALSE(all.more);
+    CHECK(quick.more == (quick.list.size() < all.list.size()));
+    CHECK(session.quick_offers(selection).list.size() == all.list.size());
+    REQUIRE(quick.list.size() <= all.list.size());
+    for (std::size_t i = 0; i < quick.list.size(); ++i) {
+      CHECK(quick.list[i].name == all.list[i].name);
+      CHECK(quick.list[i].why == all.list[i].why);
+    }
+    for (std::size_t i = quick.list.size(); i < all.list.size(); ++i) {
+      if (!all.list[i].is_legal()) continue;
+      ++later;
+      session.quick_offers(one_vertex(*session.irregular().begin()));  // those of the selection are forgotten
+      session.quick_offers(selection);
+      REQUIRE(session.perform(selection, all.list[i].name).empty());
+      REQUIRE(session.undo());
+    }
+  }
+  CHECK(later > 5);
+}
+
 TEST_CASE("law web-2: undo and redo restore every id and bit, without limit", "[session]") {
   Session session(surface_of(example_mesh("figure-17")));
   std::mt19937 random(2011);

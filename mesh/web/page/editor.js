@@ -80,10 +80,11 @@ function choose(selection) {
       choose(null);
       return;
     }
-    state.offers = library.ask("offers", {selection});
+    state.offers = library.ask("offers", {selection, quick: true});
   }
   if (!selection || selection.kind !== "pair") state.helping = false;
   state.legal = state.offers.list.filter((offer) => !offer.why);
+  if (state.offers.more) afterPicture(takeOffers);
   $("clear").disabled = $("closer").disabled = !selection;
   $("partner").disabled = !selection || selection.kind === "edge" || selection.kind === "quad";
   $("subject").textContent = subjectWords();
@@ -91,6 +92,27 @@ function choose(selection) {
   showOffers();
   if (state.status) showTools();
   draw();
+}
+
+// Takes over the offers that take longer to find, if any are missing. Those that there are keep their places.
+function takeOffers() {
+  if (!state.offers.more) return;
+  if (view.playing) return afterPicture(takeOffers);
+  const shown = state.legal.indexOf(state.shown);
+  state.offers = library.ask("offers", {selection: state.selection});
+  state.legal = state.offers.list.filter((offer) => !offer.why);
+  state.shown = state.legal[shown] || null;
+  const buttons = () => [...$("offers").querySelectorAll("button")];
+  const focused = buttons().indexOf(document.activeElement);
+  showHelpers();
+  showOffers();
+  draw();
+  if (focused >= 0) buttons()[focused].focus();
+}
+
+// Calls this after the next picture, which shows what there is so far.
+function afterPicture(call) {
+  requestAnimationFrame(() => setTimeout(call));
 }
 
 function subjectWords() {
@@ -150,6 +172,7 @@ function helpers() {
 function chooseHelpers(next) {
   const helping = state.helping;
   choose({kind: "pair", a: state.selection.a, b: state.selection.b, ...(next.length ? {helpers: next} : {})});
+  takeOffers();
   state.helping = helping;
   showHelpers();
   say($("helpers-text").textContent);
@@ -162,7 +185,7 @@ function toggleHelper(id) {
 
 function showSubject() {
   view.show(state.subject.vertices.map((v) => v.at));
-  say(subjectWords() + " " + plural(state.legal.length, "edit") + " can be made.");
+  say(subjectWords() + " " + plural(state.legal.length, "edit") + " can be made" + (state.offers.more ? "; others are tried." : "."));
 }
 
 function approach() {
@@ -182,8 +205,7 @@ function chooseByNumber(text) {
 // --- doing -----------------------------------------------------------------------------------------------------------
 
 // What is chosen after an edit: the pair where it is then.
-function selectionAfter(offer) {
-  const s = state.selection;
+function selectionAfter(s, offer) {
   if (s.kind !== "pair") return s;
   const left = [...new Set(offer.after)].filter((id) => id >= 0);
   return left.length === 2 ? {kind: "pair", a: left[0], b: left[1]} : left.length === 1 ? vertexOf(left[0]) : null;
@@ -194,12 +216,19 @@ const kMotion = 250;        // milliseconds in which quads come to rest
 const kStages = 1200;       // and for all stages before, at most
 const kMostMoving = 20000;  // quads
 
+const kLong = 300;          // operations: an edit of more is announced before it is made
+
 function perform(offer) {
   view.finish();
   const selection = state.selection, stages = animates();
-  const answer = library.ask("perform", {selection, name: offer.name, stages});
-  if (answer.why) return fail(answer.why);
-  done(selectionAfter(offer), stages ? stageFrames(answer.stages) : []);
+  const make = () => {
+    const answer = library.ask("perform", {selection, name: offer.name, stages});
+    if (answer.why) return fail(answer.why);
+    done(selectionAfter(selection, offer), stages ? stageFrames(answer.stages) : []);
+  };
+  if (offer.operations < kLong) return make();
+  $("offers-note").textContent = `${plural(offer.operations, "operation")} are being made …`;
+  afterPicture(() => { if (state.selection === selection) make(); });
 }
 
 // The stages of an edit for the view. Irregular vertices travel with them.

@@ -65,7 +65,7 @@ function effectWords(offer) {
 }
 
 function showOffers() {
-  const note = [state.offers.why, state.offers.hint].filter(Boolean);
+  const note = [state.offers.why, state.offers.hint, state.offers.more ? "Looking for more …" : ""].filter(Boolean);
   $("offers-note").textContent = note.length ? note.join(". ") : !state.selection ?
       "Choose a vertex, an edge or a quad of the mesh; shift adds a second vertex." : "";
   $("third").hidden = !(state.offers.third >= 0);
@@ -91,7 +91,7 @@ function showOffers() {
   }));
   const refused = state.offers.list.filter((offer) => offer.why);
   $("refused").hidden = refused.length === 0;
-  $("refused").open = state.legal.length === 0;
+  $("refused").open = state.legal.length === 0 && !state.offers.more;
   $("refused").querySelector("summary").textContent = `Cannot be made: ${refused.length}, and why`;
   $("refused").querySelector("ul").replaceChildren(...refused.map((offer) => {
     const item = document.createElement("li"), name = document.createElement("b"), why = document.createElement("span");

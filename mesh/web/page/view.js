@@ -48,6 +48,14 @@ class View {
     this.edges = new THREE.Group();  // the boundary and features, which change seldom
     this.arrows = new THREE.Group();
     this.scene.add(this.mesh, this.markers, this.lines, this.edges, this.arrows);
+    // Materials of lines and arrows, by what they look like. They are kept, since three.js compiles a program anew after
+    // its last material is gone, which takes long.
+    this.materials = new Map();
+    this.shapes = {
+      shaft: new THREE.CylinderGeometry(0.07, 0.07, 0.6, 10),
+      head: new THREE.ConeGeometry(0.2, 0.4, 16),
+      handle: new THREE.CylinderGeometry(0.26, 0.26, 1.05, 8),
+    };
     this.pickWindow = new THREE.WebGLRenderTarget(33, 33);
     this.ray = new THREE.Raycaster();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -229,19 +237,17 @@ class View {
 
   // --- lines and arrows ------------------------------------------------------------------------------------------------
 
-  clear(group) {
-    for (const child of [...group.children]) {
-      group.remove(child);
-      child.traverse((part) => {
-        if (part.geometry) part.geometry.dispose();
-        if (part.material) part.material.dispose();
-      });
-    }
+  materialOf(key, make) {
+    if (!this.materials.has(key)) this.materials.set(key, make());
+    return this.materials.get(key);
   }
 
   // Polylines: a list of [paths, colour, width in pixels]; a path is a list of points.
   setLines(lists, group = this.lines) {
-    this.clear(group);
+    for (const line of [...group.children]) {
+      group.remove(line);
+      line.geometry.dispose();
+    }
     for (const [paths, colour, width] of lists) {
       const positions = [];
       for (const path of paths) {
@@ -250,10 +256,10 @@ class View {
       if (positions.length === 0) continue;
       const geometry = new THREE.LineSegmentsGeometry();
       geometry.setPositions(positions);
-      const material = new THREE.LineMaterial({
+      const material = this.materialOf(`line ${colour} ${width}`, () => new THREE.LineMaterial({
         color: new THREE.Color(colour).getHex(), linewidth: width,
         polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2,
-      });
+      }));
       const line = new THREE.LineSegments2(geometry, material);
       line.frustumCulled = false;
       group.add(line);
@@ -263,27 +269,27 @@ class View {
 
   // Arrows: a list of {from, to, colour, tag, faint}. `length` is that of each; they are seen through the mesh.
   setArrows(arrows, length) {
-    this.clear(this.arrows);
+    this.arrows.remove(...this.arrows.children);
     for (const {from, to, colour, tag, faint} of arrows) {
       const start = new THREE.Vector3(...from);
       const direction = new THREE.Vector3(...to).sub(start);
       if (direction.length() === 0) continue;
       direction.normalize();
       const arrow = new THREE.Group();
-      const material = () => new THREE.MeshBasicMaterial(
-          {color: colour, depthTest: false, transparent: true, opacity: faint ? 0.3 : 1});
-      const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.07 * length, 0.07 * length, 0.6 * length, 10), material());
-      shaft.position.y = 0.6 * length;
-      const head = new THREE.Mesh(new THREE.ConeGeometry(0.2 * length, 0.4 * length, 16), material());
-      head.position.y = 1.1 * length;
-      const handle = new THREE.Mesh(new THREE.CylinderGeometry(0.26 * length, 0.26 * length, 1.05 * length, 8), material());
-      handle.position.y = 0.8 * length;
-      handle.material.visible = false;  // what can be hit
-      for (const part of [shaft, head, handle]) {
-        part.userData.tag = tag;
-        part.renderOrder = faint ? 2 : 3;
-        arrow.add(part);
-      }
+      const material = this.materialOf(`arrow ${colour} ${faint}`, () => new THREE.MeshBasicMaterial(
+          {color: colour, depthTest: false, transparent: true, opacity: faint ? 0.3 : 1}));
+      const unseen = this.materialOf("unseen", () => new THREE.MeshBasicMaterial({visible: false}));
+      const part = (shape, height, look) => {
+        const mesh = new THREE.Mesh(shape, look);
+        mesh.position.y = height;
+        mesh.userData.tag = tag;
+        mesh.renderOrder = faint ? 2 : 3;
+        arrow.add(mesh);
+      };
+      part(this.shapes.shaft, 0.6, material);
+      part(this.shapes.head, 1.1, material);
+      part(this.shapes.handle, 0.8, unseen);  // what can be hit
+      arrow.scale.setScalar(length);
       arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
       arrow.position.copy(start);
       arrow.userData.tag = tag;
