@@ -11,7 +11,7 @@
 #include "bench/require.hpp"
 #include "bench/subjects.hpp"
 #include "mesh/files/write_obj.hpp"
-#include "mesh/program/outputs.hpp"
+#include "mesh/program/run/outputs.hpp"
 
 namespace requad::bench {
 

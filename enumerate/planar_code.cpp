@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "mesh/files/file_error.hpp"
+#include "mesh/text/file_error.hpp"
 
 namespace requad::enumerate {
 

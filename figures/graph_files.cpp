@@ -8,8 +8,8 @@
 
 #include <graphviz/cgraph.h>
 
-#include "enumerate/attributed_graph.hpp"
-#include "mesh/files/fixed_decimals.hpp"
+#include "enumerate/graphs/attributed_graph.hpp"
+#include "mesh/text/fixed_decimals.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {

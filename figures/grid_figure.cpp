@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "enumerate/grid_drawing.hpp"
+#include "enumerate/graphs/grid_drawing.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::figures {

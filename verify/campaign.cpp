@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
-#include "mesh/program/errors.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/errors.hpp"
+#include "mesh/program/run/progress.hpp"
 #include "mesh/threads/threads.hpp"
 #include "theory/counts.hpp"
 

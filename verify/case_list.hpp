@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "mesh/program/numbers.hpp"
+#include "mesh/program/run/numbers.hpp"
 #include "verify/studies/region_case.hpp"
 
 namespace requad::verify {

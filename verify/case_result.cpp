@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "mesh/program/errors.hpp"
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/errors.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "verify/claims/judging.hpp"
 
 namespace requad::verify {

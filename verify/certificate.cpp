@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <map>
 
-#include "mesh/program/checksum.hpp"
-#include "mesh/program/errors.hpp"
-#include "mesh/program/outputs.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/checksum.hpp"
+#include "mesh/program/run/errors.hpp"
+#include "mesh/program/run/outputs.hpp"
+#include "mesh/program/run/progress.hpp"
 #include "theory/joined.hpp"
 
 namespace requad::verify {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/program/errors.hpp"
+#include "mesh/program/run/errors.hpp"
 
 namespace requad::verify {
 

@@ -1,4 +1,4 @@
-// The journal of a campaign: a file of records (mesh/program/journal_file.hpp), one for each case that was run. A case
+// The journal of a campaign: a file of records (mesh/program/run/journal_file.hpp), one for each case that was run. A case
 // whose record is torn is run again. A file with two records of one case is damaged.
 //
 // A journal belongs to one combination of version, claims, methods and regions. Runs may share it although they differ
@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "verify/case_result.hpp"
 
 namespace requad::verify {

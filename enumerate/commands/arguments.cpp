@@ -6,7 +6,7 @@
 
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/drawing.hpp"
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "theory/counts.hpp"
 
 namespace requad::enumerate {

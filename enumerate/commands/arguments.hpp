@@ -9,7 +9,7 @@
 
 #include "enumerate/search/search.hpp"
 #include "mesh/program/program.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/progress.hpp"
 #include "mesh/topology/region.hpp"
 #include "theory/region_shape.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"
-#include "enumerate/configuration_rows.hpp"
 #include "enumerate/generators.hpp"
+#include "enumerate/graphs/configuration_rows.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "enumerate/attributed_graph.hpp"
 #include "enumerate/commands/arguments.hpp"
 #include "enumerate/commands/commands.hpp"
-#include "enumerate/configuration_rows.hpp"
-#include "enumerate/graph_output.hpp"
+#include "enumerate/graphs/attributed_graph.hpp"
+#include "enumerate/graphs/configuration_rows.hpp"
+#include "enumerate/graphs/graph_output.hpp"
 #include "mesh/program/layout.hpp"
 
 namespace requad::enumerate {

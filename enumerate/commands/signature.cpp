@@ -13,9 +13,9 @@
 #include "enumerate/planar_code.hpp"
 #include "enumerate/space_drawing.hpp"
 #include "mesh/files/surface.hpp"
-#include "mesh/files/text_scanner.hpp"
 #include "mesh/files/write_obj.hpp"
 #include "mesh/geometry/drawing.hpp"
+#include "mesh/text/text_scanner.hpp"
 #include "mesh/topology/validate.hpp"
 
 namespace requad::enumerate {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/journal_file.hpp"
 
 namespace requad::enumerate {
 

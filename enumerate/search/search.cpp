@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "enumerate/search/journaled_search.hpp"
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "mesh/topology/signature.hpp"
 
 namespace requad::enumerate {

@@ -101,7 +101,7 @@ struct SearchOutcome {
 SearchOutcome search(const SearchProblem& problem, const SearchLimits& limits,
                      const std::function<void(const Filling&)>& visit);
 
-// A file that keeps what was found and what remains (mesh/program/journal_file.hpp has the format). If a search was
+// A file that keeps what was found and what remains (mesh/program/run/journal_file.hpp has the format). If a search was
 // killed or ran out of time, another call with its journal continues it, and the final result is the same. A search
 // appends to its journal whenever its running time has grown by one hundredth. A kill loses only what came after the
 // last record.

@@ -12,9 +12,9 @@
 #include "figures/pictures/catalogue.hpp"
 #include "figures/pictures/paper_pictures.hpp"
 #include "mesh/files/surface.hpp"
-#include "mesh/files/text_scanner.hpp"
 #include "mesh/pictures/page_options.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/progress.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::figures {
 

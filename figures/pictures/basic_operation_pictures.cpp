@@ -1,7 +1,7 @@
 #include <stdexcept>
 
+#include "figures/panels/sheet.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/sheet.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/signature.hpp"
 

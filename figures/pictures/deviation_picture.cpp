@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "figures/pictures/legend.hpp"
+#include "figures/panels/legend.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "mesh/files/fixed_decimals.hpp"
+#include "mesh/text/fixed_decimals.hpp"
 
 namespace requad::figures {
 

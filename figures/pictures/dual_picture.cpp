@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "figures/panels/labels.hpp"
+#include "figures/panels/legend.hpp"
 #include "figures/pictures/grid_picture.hpp"
-#include "figures/pictures/labels.hpp"
-#include "figures/pictures/legend.hpp"
 
 namespace requad::figures {
 

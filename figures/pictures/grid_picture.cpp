@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "figures/pictures/labels.hpp"
-#include "figures/pictures/legend.hpp"
+#include "figures/panels/labels.hpp"
+#include "figures/panels/legend.hpp"
 #include "mesh/geometry/drawing.hpp"
 #include "mesh/pictures/mesh_picture.hpp"
 #include "mesh/topology/separatrix.hpp"

@@ -2,8 +2,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "figures/panels/sheet.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/sheet.hpp"
 #include "mesh/editing/editor.hpp"
 #include "mesh/irregular/pair_moves.hpp"
 #include "mesh/irregular/transport.hpp"

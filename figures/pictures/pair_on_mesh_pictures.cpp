@@ -1,8 +1,8 @@
 // Figure 9: the four moves of a pair as four pairs of arrows on a mesh in space.
 #include <algorithm>
 
+#include "figures/panels/space_panel.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/space_panel.hpp"
 #include "mesh/geometry/drawing.hpp"
 #include "mesh/irregular/possible_moves.hpp"
 

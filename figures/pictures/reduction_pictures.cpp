@@ -1,7 +1,7 @@
 // Figures 1, 15 and 19: meshes whose irregular vertices cancel.
+#include "figures/panels/space_panel.hpp"
 #include "figures/pictures/examples.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/space_panel.hpp"
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/irregular/pair_frame.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "enumerate/generators.hpp"
 #include "enumerate/labels.hpp"
-#include "figures/pictures/labels.hpp"
+#include "figures/panels/labels.hpp"
+#include "figures/panels/sheet.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/sheet.hpp"
 #include "mesh/topology/separatrix.hpp"
 
 namespace requad::figures {

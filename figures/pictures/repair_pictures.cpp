@@ -1,7 +1,7 @@
 // Figures 16, 17 and 18: a defect of a mesh, repaired by hand. mesh/examples/run makes the same edits.
+#include "figures/panels/space_panel.hpp"
 #include "figures/pictures/examples.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/space_panel.hpp"
 
 namespace requad::figures {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "figures/panels/sheet.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/sheet.hpp"
 #include "mesh/irregular/atomic_operations.hpp"
 #include "mesh/topology/separatrix.hpp"
 

@@ -6,7 +6,7 @@
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/editing/script.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::edit {
 

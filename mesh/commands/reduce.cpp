@@ -8,7 +8,7 @@
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
 #include "mesh/geometry/diagnosis.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/progress.hpp"
 
 namespace requad::edit {
 

@@ -18,7 +18,7 @@
 #include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/geometry/nearest_points.hpp"
 #include "mesh/geometry/smoothing.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/progress.hpp"
 
 namespace requad::edit {
 

@@ -10,8 +10,8 @@
 
 #include "mesh/editing/element_map.hpp"
 #include "mesh/files/feature_edges.hpp"
-#include "mesh/files/number_text.hpp"
 #include "mesh/geometry/nearest_points.hpp"
+#include "mesh/text/number_text.hpp"
 
 namespace requad::mesh {
 

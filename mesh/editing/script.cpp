@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "mesh/editing/script_ids.hpp"
-#include "mesh/files/number_text.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/number_text.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

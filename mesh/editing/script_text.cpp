@@ -5,8 +5,8 @@
 
 #include "mesh/editing/script.hpp"
 #include "mesh/editing/script_ids.hpp"
-#include "mesh/files/number_text.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/number_text.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

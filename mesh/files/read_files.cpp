@@ -11,7 +11,7 @@
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/files/reading.hpp"
 #include "mesh/files/surface.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

@@ -26,8 +26,8 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/files/file_error.hpp"
 #include "mesh/files/polygon_mesh.hpp"
+#include "mesh/text/file_error.hpp"
 
 namespace requad::mesh {
 

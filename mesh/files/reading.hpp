@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "mesh/files/polygon_mesh.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "mesh/files/number_text.hpp"
 #include "mesh/files/polygon_mesh.hpp"
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/number_text.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

@@ -1,7 +1,7 @@
 #include "mesh/files/surface.hpp"
 
-#include "mesh/files/text_scanner.hpp"
 #include "mesh/files/welding.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "mesh/files/file_error.hpp"
 #include "mesh/files/polygon_mesh.hpp"
 #include "mesh/geometry/measures.hpp"
+#include "mesh/text/file_error.hpp"
 #include "mesh/topology/quad_mesh.hpp"
 
 namespace requad::mesh {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "mesh/files/text_scanner.hpp"
+#include "mesh/text/text_scanner.hpp"
 
 namespace requad::mesh {
 

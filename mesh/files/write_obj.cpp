@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "mesh/files/number_text.hpp"
 #include "mesh/geometry/drawing.hpp"
+#include "mesh/text/number_text.hpp"
 
 namespace requad::mesh {
 

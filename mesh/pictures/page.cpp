@@ -10,9 +10,9 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
-#include "mesh/files/fixed_decimals.hpp"
 #include "mesh/pictures/cairo_objects.hpp"
 #include "mesh/pictures/layout_on_page.hpp"
+#include "mesh/text/fixed_decimals.hpp"
 
 namespace requad::pictures {
 

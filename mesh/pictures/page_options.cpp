@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/files/fixed_decimals.hpp"
+#include "mesh/text/fixed_decimals.hpp"
 
 namespace requad::pictures {
 

@@ -2,8 +2,8 @@
 #include <map>
 #include <set>
 
-#include "mesh/files/fixed_decimals.hpp"
 #include "mesh/pictures/layout_on_page.hpp"
+#include "mesh/text/fixed_decimals.hpp"
 
 namespace requad::pictures {
 

@@ -10,7 +10,7 @@
 
 #include <boost/program_options.hpp>
 
-#include "mesh/program/outputs.hpp"
+#include "mesh/program/run/outputs.hpp"
 #include "mesh/program/suggestion.hpp"
 
 namespace requad::program {

@@ -13,8 +13,8 @@
 
 #include <boost/program_options/variables_map.hpp>
 
-#include "mesh/program/errors.hpp"
-#include "mesh/program/numbers.hpp"
+#include "mesh/program/run/errors.hpp"
+#include "mesh/program/run/numbers.hpp"
 
 namespace requad::program {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "mesh/program/options.hpp"
-#include "mesh/program/outputs.hpp"
-#include "mesh/program/run.hpp"
+#include "mesh/program/run/outputs.hpp"
+#include "mesh/program/run/run.hpp"
 
 namespace requad::program {
 

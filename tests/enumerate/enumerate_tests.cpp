@@ -5,7 +5,7 @@
 #include <boost/graph/isomorphism.hpp>
 
 #include "enumerate/generators.hpp"
-#include "enumerate/graph_output.hpp"
+#include "enumerate/graphs/graph_output.hpp"
 #include "enumerate/realisation.hpp"
 #include "mesh/topology/signature.hpp"
 #include "mesh/topology/validate.hpp"

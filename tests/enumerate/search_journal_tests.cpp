@@ -1,8 +1,8 @@
 // Searches that are stopped and continued. They find the same as one run, whenever and however often they are stopped.
 #include "enumerate/search/search.hpp"
 #include "enumerate/search/spheres.hpp"
-#include "mesh/program/errors.hpp"
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/errors.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/sanitizers.hpp"

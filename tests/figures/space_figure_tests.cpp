@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <map>
 
+#include "figures/panels/edit_sequence.hpp"
+#include "figures/panels/space_panel.hpp"
 #include "figures/pictures/catalogue.hpp"
-#include "figures/pictures/edit_sequence.hpp"
 #include "figures/pictures/examples.hpp"
 #include "figures/pictures/paper_pictures.hpp"
-#include "figures/pictures/space_panel.hpp"
 #include "mesh/files/read_polygons.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/geometry/hausdorff_distance.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "mesh/program/errors.hpp"
+#include "mesh/program/run/errors.hpp"
 #include "mesh/topology/quad_mesh.hpp"
 
 namespace requad::fuzz {

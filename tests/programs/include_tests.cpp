@@ -24,15 +24,17 @@ Rooms operator+(Rooms a, const Rooms& b) {
 
 const Rooms kTheory{"theory", "theory/proofs"};
 // The rooms of requad::mesh, the lowest one first.
-const Rooms kMesh{"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing", "mesh/irregular"};
-const Rooms kPlumbing{"mesh/threads", "mesh/program"};
-const Rooms kEnumerate{"enumerate", "enumerate/search"};
+const Rooms kMesh{"mesh/topology", "mesh/geometry", "mesh/text", "mesh/files", "mesh/editing", "mesh/irregular"};
+const Rooms kProgram{"mesh/program", "mesh/program/run"};
+const Rooms kPlumbing = kProgram + Rooms{"mesh/threads"};
+const Rooms kEnumerate{"enumerate", "enumerate/graphs", "enumerate/search"};
 const Rooms kVerify{"verify", "verify/studies", "verify/claims", "verify/report"};
-const Rooms kFigures{"figures", "figures/pictures", "figures/explorer"};
+const Rooms kFigures{"figures", "figures/panels", "figures/pictures", "figures/explorer"};
 const Rooms kBelowEnumerate = kTheory + kMesh + kPlumbing;
 const Rooms kBelowVerify = kBelowEnumerate + kEnumerate;
 const Rooms kBelowFigures = kBelowVerify + kVerify + Rooms{"mesh/pictures"};
 const Rooms kAll = kBelowFigures + kFigures;
+const Rooms kTestsOfMesh = kMesh + kPlumbing + Rooms{"mesh/pictures", "tests/support", "tests/support/mesh"};
 
 const Table kMayInclude{
     {"theory", {}},
@@ -40,18 +42,21 @@ const Table kMayInclude{
 
     {"mesh/topology", {}},
     {"mesh/geometry", {"mesh/topology"}},
-    {"mesh/files", {"mesh/topology", "mesh/geometry"}},
-    {"mesh/editing", {"mesh/topology", "mesh/geometry", "mesh/files"}},
-    {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/editing"}},
+    {"mesh/text", {"mesh/geometry"}},
+    {"mesh/files", {"mesh/topology", "mesh/geometry", "mesh/text"}},
+    {"mesh/editing", {"mesh/topology", "mesh/geometry", "mesh/text", "mesh/files"}},
+    {"mesh/irregular", {"mesh/topology", "mesh/geometry", "mesh/text", "mesh/files", "mesh/editing"}},
     {"mesh/threads", {}},
-    {"mesh/program", {}},
-    {"mesh/pictures", {"mesh/topology", "mesh/geometry", "mesh/files", "mesh/program"}},
+    {"mesh/program/run", {}},
+    {"mesh/program", {"mesh/program/run"}},
+    {"mesh/pictures", kProgram + Rooms{"mesh/topology", "mesh/geometry", "mesh/text", "mesh/files"}},
     {"mesh/examples", kMesh},
     {"mesh/web", kMesh},
     {"mesh/commands", kMesh + kPlumbing + Rooms{"mesh/pictures"}},
 
     {"enumerate/search", kMesh + kPlumbing},
     {"enumerate", kBelowEnumerate},
+    {"enumerate/graphs", kBelowEnumerate + Rooms{"enumerate"}},
     {"enumerate/commands", kBelowVerify},
 
     {"verify/studies", kBelowVerify},
@@ -62,7 +67,8 @@ const Table kMayInclude{
     {"verify/commands", kBelowVerify + kVerify},
 
     {"figures", kBelowFigures},
-    {"figures/pictures", kBelowFigures + Rooms{"figures"}},
+    {"figures/panels", kBelowFigures + Rooms{"figures"}},
+    {"figures/pictures", kBelowFigures + Rooms{"figures", "figures/panels"}},
     {"figures/explorer", kBelowFigures + Rooms{"figures"}},
     {"figures/commands", kAll},
 
@@ -73,10 +79,14 @@ const Table kMayInclude{
     {"tests/support/mesh", kMesh + Rooms{"tests/support"}},
     {"tests/support/enumerate", kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh"}},
     {"tests/theory", kTheory + Rooms{"tests/support", "tests/support/theory"}},
-    {"tests/mesh", kMesh + kPlumbing + Rooms{"mesh/pictures", "mesh/web", "tests/support", "tests/support/mesh"}},
+    {"tests/mesh", kTestsOfMesh},
+    {"tests/mesh/files", kTestsOfMesh},
+    {"tests/mesh/geometry", kTestsOfMesh},
+    {"tests/mesh/editing", kTestsOfMesh},
+    {"tests/mesh/web", kMesh + Rooms{"mesh/web", "tests/support", "tests/support/mesh"}},
     {"tests/enumerate",
      kBelowVerify + Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},
-    {"tests/verify/check", Rooms{"verify/check", "mesh/program", "tests/support"}},
+    {"tests/verify/check", Rooms{"verify/check", "mesh/program/run", "tests/support"}},
     {"tests/verify",
      kBelowVerify + kVerify +
          Rooms{"tests/support", "tests/support/theory", "tests/support/mesh", "tests/support/enumerate"}},

@@ -11,7 +11,7 @@
 
 #include "mesh/program/layout.hpp"
 #include "mesh/program/options.hpp"
-#include "mesh/program/progress.hpp"
+#include "mesh/program/run/progress.hpp"
 #include "mesh/program/suggestion.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/programs.hpp"

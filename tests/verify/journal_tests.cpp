@@ -6,7 +6,7 @@
 
 #include <sys/stat.h>
 
-#include "mesh/program/errors.hpp"
+#include "mesh/program/run/errors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
 #include "tests/support/programs.hpp"

@@ -7,7 +7,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include "mesh/program/errors.hpp"
+#include "mesh/program/run/errors.hpp"
 #include "verify/claims/judging.hpp"
 #include "verify/claims/table.hpp"
 

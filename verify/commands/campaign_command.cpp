@@ -8,7 +8,7 @@
 #include <set>
 
 #include "mesh/files/write_obj.hpp"
-#include "mesh/program/journal_file.hpp"
+#include "mesh/program/run/journal_file.hpp"
 #include "mesh/program/suggestion.hpp"
 #include "verify/campaign.hpp"
 #include "verify/certificate.hpp"

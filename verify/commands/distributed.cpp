@@ -6,7 +6,7 @@
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
-#include "mesh/program/errors.hpp"
+#include "mesh/program/run/errors.hpp"
 
 namespace requad::verify {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "enumerate/generators.hpp"
-#include "enumerate/grid_drawing.hpp"
+#include "enumerate/graphs/grid_drawing.hpp"
 #include "mesh/program/layout.hpp"
 #include "verify/report/mesh_drawing.hpp"
 #include "verify/report/numbers.hpp"

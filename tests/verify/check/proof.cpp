@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "mesh/program/checksum.hpp"
+#include "mesh/program/run/checksum.hpp"
 #include "tests/support/programs.hpp"
 
 namespace requad::tests {
