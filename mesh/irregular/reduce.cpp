@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mesh/irregular/reduction_fit.hpp"
+#include "mesh/irregular/reduction_values.hpp"
 
 namespace requad::mesh {
 
@@ -56,7 +57,12 @@ class Reduction::Work {
 
  public:
   Work(Editor& editor, const ReduceOptions& options)
-      : editor_(editor), m_(editor.mesh()), options_(options), transport_(editor, kStates), fit_(editor, options) {
+      : editor_(editor),
+        m_(editor.mesh()),
+        options_(options),
+        transport_(editor, kStates),
+        fit_(editor, options),
+        values_(editor, options.cost == ReduceCost::curvature) {
     report_.before = report_.after = count_irregular();
   }
 
@@ -100,15 +106,6 @@ class Reduction::Work {
   }
 
  private:
-  // What a vertex adds: a quarter of what each of its faces does, and its own.
-  struct Value {
-    double cost = 0;
-    int inverted = 0;
-    int inside = 0;      // 1 if it is irregular and free
-    double quality = 0;  // scaled Jacobians
-    bool irregular = false;
-  };
-
   bool is_three(VertexId v) const { return m_.is_live(v) && editor_.sectors().lacks(v); }
   bool is_five(VertexId v) const { return m_.is_live(v) && editor_.sectors().exceeds(v); }
   bool is_irregular(VertexId v) const { return editor_.sectors().is_irregular(v); }
@@ -122,12 +119,9 @@ class Reduction::Work {
   void begin_round() {
     // Where nothing can be cancelled, parting would only make more irregular vertices.
     if (!editor_.sectors().is_minimal()) part();
-    values_.assign(static_cast<std::size_t>(m_.vertex_capacity()), {});
-    report_.after = 0;
-    quality_ = 0;
+    values_.remember_all();
+    report_.after = values_.irregular();
     all_ = m_.vertices();
-    for (const VertexId v : all_) remember(v);
-    faces_ = m_.face_count();
     progress_ = false;
     queue_ = {};
     queued_ = 0;
@@ -261,7 +255,7 @@ class Reduction::Work {
     const bool made = make(three, five, false);
     if (made && options_.cost == ReduceCost::curvature) {
       fit_.look_since(before, 1);
-      cost = change().cost;
+      cost = change().curvature;
     } else if (made) {
       cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * last_.steps;
     }
@@ -269,36 +263,15 @@ class Reduction::Work {
     return made;
   }
 
-  // What the affected region adds now, less what it added before the edit.
-  Value change() const {
-    Value sum;
-    const auto subtract = [&](VertexId v) {
-      // A vertex that was made has no value yet. Another one that had its id counts as removed.
-      if (v.slot() >= values_.size()) return;
-      sum.cost -= values_[v.slot()].cost;
-      sum.inverted -= values_[v.slot()].inverted;
-      sum.inside -= values_[v.slot()].inside;
-      sum.quality -= values_[v.slot()].quality;
-    };
-    for (const VertexId v : fit_.affected().near) {
-      const Value now = value(v);
-      sum.cost += now.cost;
-      sum.inverted += now.inverted;
-      sum.inside += now.inside;
-      sum.quality += now.quality;
-      subtract(v);
-    }
-    for (const VertexId v : fit_.affected().removed) subtract(v);
-    return sum;
-  }
+  ReductionValue change() const { return values_.change(fit_.affected()); }
 
   // Whether the affected region is as good as it must be.
   bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_worn() && !fit_.is_too_far(); }
   // Whether the mean quality of all faces falls too low.
   bool is_worn() const {
     if (options_.max_quality_loss < 0) return false;
-    const double now = (quality_ + change().quality) / m_.face_count();
-    return now < quality_ / faces_ && now < fit_.input_quality() - options_.max_quality_loss;
+    const double now = values_.mean_quality_after(change());
+    return now < values_.mean_quality() && now < fit_.input_quality() - options_.max_quality_loss;
   }
   bool leads_inward() const { return change().inside > 0; }
   Reason reason() const {
@@ -306,30 +279,6 @@ class Reduction::Work {
     return is_inverted_more() ? Reason::folded : is_worn() ? Reason::worn : Reason::too_far;
   }
   bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
-  Value value(VertexId v) const {
-    Value result;
-    result.irregular = is_irregular(v);
-    result.inside = result.irregular && !editor_.is_fixed(v) ? 1 : 0;
-    m_.for_each_out(v, [&](HalfEdgeId h) {
-      const FaceId f = QuadMesh::face(h);
-      const double quality = scaled_jacobian(m_, positions(), f);
-      result.inverted += is_inverted(quality) ? 1 : 0;
-      result.quality += quality / 4;
-    });
-    if (options_.cost == ReduceCost::curvature) result.cost = std::abs(mean_curvature(m_, positions(), v));
-    return result;
-  }
-
-  // Remembers the value that a vertex has before the next cancellation.
-  void remember(VertexId v) {
-    if (v.slot() >= values_.size()) values_.resize(v.slot() + 1);
-    Value& remembered = values_[v.slot()];
-    const Value before = remembered;
-    remembered = m_.is_live(v) ? value(v) : Value{};
-    report_.after += static_cast<int>(remembered.irregular) - static_cast<int>(before.irregular);
-    quality_ += remembered.quality - before.quality;
-  }
-
   // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
   std::optional<Candidate> next_candidate() {
     while (!queue_.empty()) {
@@ -365,9 +314,8 @@ class Reduction::Work {
         changed_at_[v.slot()] = stage();
       }
     }
-    for (const VertexId v : fit_.affected().removed) remember(v);
-    for (const VertexId v : fit_.affected().near) remember(v);
-    faces_ = m_.face_count();
+    values_.remember(fit_.affected());
+    report_.after = values_.irregular();
     const std::vector<VertexId> changed = fit_.affected().changed;
     for (const VertexId v : changed) add_candidates(v);
     return true;
@@ -415,6 +363,7 @@ class Reduction::Work {
   const ReduceOptions& options_;
   PairTransport transport_;
   ReductionFit fit_;
+  ReductionValues values_;  // of the mesh after the last cancellation
   BreadthFirstDistances around_;
   std::priority_queue<Candidate> queue_;
   std::vector<VertexId> all_;  // at the start of the round
@@ -429,9 +378,6 @@ class Reduction::Work {
   int retried_at_ = -1;          // stage()
   std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
   Cancellation last_;            // of make()
-  double quality_ = 0;           // the sum over all faces, of the mesh after the last cancellation
-  int faces_ = 0;                // of that mesh
-  std::vector<Value> values_;    // by vertex slot, of the mesh after the last cancellation
 };
 
 Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}
