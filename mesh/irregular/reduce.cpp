@@ -17,12 +17,12 @@ namespace requad::mesh {
 
 namespace {
 
-constexpr int kPartners = 3;       // candidates looked for at each vertex
-constexpr int kHelpers = 8;        // third vertices offered to a cancellation
-constexpr int kStates = 1000;      // positions that a transport may visit; a longer search costs more than it finds
-constexpr int kRescues = 4;        // fits with more effort of a cancellation that is not acceptable
-constexpr int kRefresh = 4;        // cancellations between two fits of all that was touched
-constexpr double kHopeless = 1.5;  // how_far_from_acceptable()
+constexpr int kPartners = 3;        // candidates looked for at each vertex
+constexpr int kHelpers = 8;         // third vertices offered to a cancellation
+constexpr int kStates = 1000;       // positions that a transport may visit; a longer search costs more than it finds
+constexpr int kRescues = 4;         // fits with more effort of a cancellation that is not acceptable
+constexpr int kRefresh = 4;         // cancellations between two fits of all that was touched
+constexpr double kHopeless = 1.5;  // how_far_from_acceptable(): beyond it no fit with more effort helps
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 
 }  // namespace
@@ -46,6 +46,13 @@ class Reduction::Work {
     Reason reason;
     std::vector<VertexId> where;
     Refusal refusal = Refusal::none;
+  };
+
+  // What a cancellation was found to cost, at a stage, and where it looked.
+  struct Estimate {
+    int stage;
+    double cost;
+    std::vector<VertexId> where;
   };
 
   // What a cancellation that was made adds to the report.
@@ -220,10 +227,11 @@ class Reduction::Work {
   bool would_fail(VertexId three, VertexId five) const {
     const auto known = failures_.find({three, five});
     if (known == failures_.end()) return false;
-    const auto is_old = [&](VertexId v) {
-      return v.slot() >= changed_at_.size() || changed_at_[v.slot()] <= known->second.stage;
-    };
-    return std::all_of(known->second.where.begin(), known->second.where.end(), is_old);
+    return is_unchanged(known->second.where, known->second.stage);
+  }
+  bool is_unchanged(const std::vector<VertexId>& where, int since) const {
+    return std::all_of(where.begin(), where.end(),
+                       [&](VertexId v) { return v.slot() >= changed_at_.size() || changed_at_[v.slot()] <= since; });
   }
   void remember_failure(VertexId three, VertexId five) {
     std::vector<VertexId> where = fit_.affected().near;
@@ -250,6 +258,11 @@ class Reduction::Work {
   // samples that lose their face, a quarter each, and some of the number of operations. Where the mesh is coarse, many
   // samples lie on a face.
   bool estimate(VertexId three, VertexId five, double& cost) {
+    const auto known = estimates_.find({three, five});
+    if (known != estimates_.end() && is_unchanged(known->second.where, known->second.stage)) {
+      cost = known->second.cost;
+      return true;
+    }
     ++report_.measured;
     const std::size_t before = editor_.mark();
     const bool made = make(three, five, false);
@@ -259,6 +272,7 @@ class Reduction::Work {
     } else if (made) {
       cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * last_.steps;
     }
+    if (made) estimates_[{three, five}] = {stage(), cost, around_.met()};
     editor_.roll_back(before);
     return made;
   }
@@ -335,13 +349,14 @@ class Reduction::Work {
     fit_.fit_made(before);
     if (leads_inward() || is_worn()) return false;
     if (is_acceptable() || is_acceptable_straightened()) return true;
+    if (options_.sweeps == 0) return false;
     double trouble = std::numeric_limits<double>::infinity();
-    for (int part = 0; part < kRescues && options_.sweeps > 0; ++part) {
-      fit_.fit_again(before);
-      if (is_acceptable() || is_acceptable_straightened()) return true;
+    for (int part = 0; part < kRescues; ++part) {
       const double left = how_far_from_acceptable();
       if (left > kHopeless || left > 0.95 * trouble) break;
       trouble = left;
+      fit_.fit_again(before);
+      if (is_acceptable() || is_acceptable_straightened()) return true;
     }
     return false;
   }
@@ -373,6 +388,7 @@ class Reduction::Work {
   ReduceReport report_;
   std::vector<Made> made_;
   std::map<std::pair<VertexId, VertexId>, Failure> failures_;
+  std::map<std::pair<VertexId, VertexId>, Estimate> estimates_;
   int failures_in_a_row_ = 0;
   int refreshed_at_ = 0;         // stage()
   int retried_at_ = -1;          // stage()
