@@ -17,11 +17,11 @@ namespace requad::mesh {
 
 namespace {
 
-constexpr int kPartners = 3;        // candidates looked for at each vertex
-constexpr int kHelpers = 8;         // third vertices offered to a cancellation
-constexpr int kStates = 1000;       // positions that a transport may visit; a longer search costs more than it finds
-constexpr int kRescues = 4;         // fits with more effort of a cancellation that is not acceptable
-constexpr int kRefresh = 4;         // cancellations between two fits of all that was touched
+constexpr int kPartners = 3;       // candidates looked for at each vertex
+constexpr int kHelpers = 8;        // third vertices offered to a cancellation
+constexpr int kStates = 1000;      // positions that a transport may visit; a longer search costs more than it finds
+constexpr int kRescues = 4;        // fits with more effort of a cancellation that is not acceptable
+constexpr int kRefresh = 4;        // cancellations between two fits of all that was touched
 constexpr double kHopeless = 1.5;  // how_far_from_acceptable(): beyond it no fit with more effort helps
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 

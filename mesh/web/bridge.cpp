@@ -230,7 +230,7 @@ json answer_to(State& s, const json& request) {
     json steps = json::array();
     for (std::size_t i = request.at("from"); i < session.steps().size(); ++i)
       steps.push_back({{"words", session.steps()[i].words}, {"lines", session.lines(session.steps()[i])}});
-    return steps;
+    return {{"steps", steps}, {"undone", session.undone().size()}};
   }
   if (what == "undo") return {{"done", session.undo()}};
   if (what == "redo") return {{"done", session.redo()}};

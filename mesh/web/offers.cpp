@@ -86,6 +86,20 @@ void Session::compare(const Outcome& outcome, Offer& offer) const {
   }
 }
 
+// What becomes of the valences, such as "12: v4 to v3, new: v5".
+std::string Session::words_for(const Outcome& outcome) const {
+  std::string words;
+  for (std::size_t i = 0; i < outcome.vertices.size(); ++i) {
+    const VertexId v = outcome.vertices[i];
+    const int before = mesh_.is_live(v) ? mesh_.valence(v) : 0, after = outcome.valences[i];
+    if (before == after) continue;
+    words += (words.empty() ? "" : ", ") +
+             (before > 0 ? std::to_string(number(v)) + ": v" + std::to_string(before) + " to " : std::string("new: ")) +
+             (after > 0 ? "v" + std::to_string(after) : "gone");
+  }
+  return words;
+}
+
 void Session::add_offer(std::size_t mark, Offer offer) {
   const auto edits = std::span(editor_.edits()).subspan(mark);
   offer.counts = mesh::count(edits);
@@ -93,6 +107,7 @@ void Session::add_offer(std::size_t mark, Offer offer) {
   offered_edits_.emplace_back(edits.begin(), edits.end());
   editor_.roll_back(mark);
   compare(outcome, offer);
+  if (offer.is_legal() && offer.effect.empty()) offer.effect = words_for(outcome);
   offered_.list.push_back(std::move(offer));
 }
 
@@ -179,15 +194,7 @@ void Session::offer_atomic(const Selection& selection) {
                  std::to_string(number(mesh_.target(along)));
     offer.why = words(choice.refusal);
     offer.help = what_helps(choice.refusal, {});
-    if (offer.is_legal()) {
-      const mesh::AtomicReport report = mesh::perform(editor_, choice.operation);
-      for (const mesh::ValenceChange& c : report.changes) {
-        offer.effect += (offer.effect.empty() ? "" : ", ") +
-                        (c.before > 0 ? std::to_string(number(c.vertex)) + ": v" + std::to_string(c.before) + " to "
-                                      : std::string("new: ")) +
-                        (c.after > 0 ? "v" + std::to_string(c.after) : "gone");
-      }
-    }
+    if (offer.is_legal()) mesh::perform(editor_, choice.operation);
     add_offer(mark, std::move(offer));
   }
 }
@@ -252,7 +259,9 @@ void Session::advise(const Selection& selection, Refusal refusal) {
   if (refusal == EditRefusal::wrong_valences) offered_.hint = "Choose two irregular vertices, each a v3 or a v5.";
   if (refusal == EditRefusal::touches_boundary) offered_.hint = "Choose a vertex inside the mesh.";
   if (selection.kind == Selection::Kind::vertex && irregular_.count(selection.a) != 0)
-    offered_.hint = "A second irregular vertex makes a pair, which can move. A single one cannot (Theorem 7.1).";
+    offered_.hint =
+        "A second irregular vertex makes a pair, which can move. A single one can only move by making others (Theorem "
+        "7.1).";
   const bool any = std::any_of(offered_.list.begin(), offered_.list.end(), [](const Offer& o) { return o.is_legal(); });
   if (selection.kind != Selection::Kind::pair || refusal != Refusal::none || any) return;
   for (const VertexId v : nearest_irregular(selection.a, 2)) {

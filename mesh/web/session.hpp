@@ -189,6 +189,7 @@ class Session {
   std::vector<mesh::Edit> edits_of(std::size_t offer);
   Outcome outcome_since(std::size_t mark) const;
   void compare(const Outcome& outcome, Offer& offer) const;
+  std::string words_for(const Outcome& outcome) const;
   Touched touched_by(const Step& step) const;
   void add_round(Touched& touched) const;  // the quads at its vertices as the mesh is now
   void note_changes(const Touched& touched);

@@ -16,7 +16,7 @@ const state = {
   legal: [],         // of these, those that can be made
   shown: null,       // the offer whose effect is tinted
   partners: [],      // irregular vertices by their distance from the one that was chosen
-  history: [],       // {words, lines}, those undone last
+  history: [],       // {words, lines, before, after}, those undone last; what was chosen before and after some of them
   helping: false,    // clicks choose third vertices
 };
 let library, view;
@@ -33,9 +33,23 @@ function fail(words) {
   if (words) say(words);
 }
 
+// Does something that may take away the control that the keyboard is at. The focus then goes to the one in its place.
+function keepingFocus(call) {
+  const had = document.activeElement, byKey = had && had.matches(":focus-visible");
+  const list = byKey && had.closest("#offers, #helper-list, #history");
+  const buttons = () => (list ? [...list.querySelectorAll("button")] : []);
+  const index = buttons().indexOf(had);
+  call();
+  if (!byKey || (had.isConnected && !had.disabled && had.offsetParent !== null)) return;
+  (buttons()[Math.min(index, buttons().length - 1)] || $("canvas")).focus({preventScroll: true});
+}
+
 // Takes over what changed, shows it, and chooses this. If the edit is animated, `stages` come first, and quads move for
 // `ms` in the end.
-function refresh(selection, stages = [], ms = 0) {
+function refresh(...all) {
+  keepingFocus(() => takeChanges(...all));
+}
+function takeChanges(selection, stages = [], ms = 0) {
   const before = state.status;
   const now = state.status = library.ask("status");
   if (now.everything) {
@@ -59,27 +73,29 @@ function refresh(selection, stages = [], ms = 0) {
   $("welcome").hidden = true;
 }
 
-// Takes over the steps that the session has made since `from` of them were done.
+// Takes over the steps that the session has made since `from` of them were done. Those undone stay if it made none.
 function takeSteps(from = state.status.done) {
-  state.history.splice(from, state.history.length, ...library.ask("history", {from}));
+  const {steps, undone} = library.ask("history", {from});
+  state.history.splice(from, state.history.length - from - undone, ...steps);
 }
 
 // --- choosing --------------------------------------------------------------------------------------------------------
 
+const kTried = "; others are tried.";
 const vertexOf = (id) => ({kind: "vertex", a: id});
 const isIrregular = (id) => state.status.irregular.some((v) => v.id === id);
 
 function choose(selection) {
+  keepingFocus(() => take(selection));
+}
+function take(selection) {
   state.selection = selection;
   state.shown = null;
   state.subject = null;
   state.offers = {list: [], why: "", hint: ""};
   if (selection) {
     state.subject = library.ask("subject", {selection, separatrices: true});
-    if (!state.subject.live) {
-      choose(null);
-      return;
-    }
+    if (!state.subject.live) return take(null);
     state.offers = library.ask("offers", {selection, quick: true});
   }
   if (!selection || selection.kind !== "pair") state.helping = false;
@@ -102,12 +118,12 @@ function takeOffers() {
   state.offers = library.ask("offers", {selection: state.selection});
   state.legal = state.offers.list.filter((offer) => !offer.why);
   state.shown = state.legal[shown] || null;
-  const buttons = () => [...$("offers").querySelectorAll("button")];
-  const focused = buttons().indexOf(document.activeElement);
-  showHelpers();
-  showOffers();
+  keepingFocus(() => {
+    showHelpers();
+    showOffers();
+  });
   draw();
-  if (focused >= 0) buttons()[focused].focus();
+  if ($("live").textContent.endsWith(kTried)) sayOffers();
 }
 
 // Calls this after the next picture, which shows what there is so far.
@@ -129,7 +145,9 @@ function subjectWords() {
 // A vertex was pointed at: alone, or as the second of a pair.
 function chooseVertex(id, asSecond) {
   const s = state.selection;
-  if (state.helping && id !== s.a && id !== s.b) return toggleHelper(id);
+  if (state.helping && id !== s.a && id !== s.b) {
+    return isIrregular(id) ? toggleHelper(id) : say("Only an irregular vertex can help. “Choose others” again ends this.");
+  }
   if (s && (s.a === id || s.b === id) && (s.kind === "vertex" || s.kind === "pair")) {
     choose(s.kind === "pair" ? vertexOf(s.a === id ? s.b : s.a) : null);
   } else if (s && s.kind === "vertex" && (asSecond || (isIrregular(s.a) && isIrregular(id)))) {
@@ -185,7 +203,11 @@ function toggleHelper(id) {
 
 function showSubject() {
   view.show(state.subject.vertices.map((v) => v.at));
-  say(subjectWords() + " " + plural(state.legal.length, "edit") + " can be made" + (state.offers.more ? "; others are tried." : "."));
+  sayOffers();
+}
+
+function sayOffers() {
+  say(`${subjectWords()} ${plural(state.legal.length, "edit")} can be made${state.offers.more ? kTried : "."}`);
 }
 
 function approach() {
@@ -196,8 +218,9 @@ function chooseByNumber(text) {
   const numbers = text.trim().split(/[\s,]+/).filter(Boolean).map(Number);
   const ids = numbers.map((number) => (Number.isInteger(number) ? library.ask("numbered", {number}) : -1));
   if (ids.length < 1 || ids.length > 2 || ids.includes(-1) || ids[0] === ids[1])
-    return fail(`There is no such vertex or pair: '${text}'; expected one or two numbers from 1 to ${state.status.vertices}.`);
+    return fail(`There is no such vertex or pair: '${text}'; expected a number from 1 to ${state.status.vertices}, or two different ones.`);
   fail("");
+  if (state.helping && ids.length === 1) return chooseVertex(ids[0], false);
   choose(ids.length === 1 ? vertexOf(ids[0]) : {kind: "pair", a: ids[0], b: ids[1]});
   showSubject();
 }
@@ -224,7 +247,7 @@ function perform(offer) {
   const make = () => {
     const answer = library.ask("perform", {selection, name: offer.name, stages});
     if (answer.why) return fail(answer.why);
-    done(selectionAfter(selection, offer), stages ? stageFrames(answer.stages) : []);
+    done(selectionAfter(selection, offer), stages ? stageFrames(answer.stages) : [], selection);
   };
   if (offer.operations < kLong) return make();
   $("offers-note").textContent = `${plural(offer.operations, "operation")} are being made …`;
@@ -243,14 +266,16 @@ function stageFrames(stages) {
   });
 }
 
-// A step was made.
-function done(selection, stages = []) {
+// A step was made; this is chosen now, and that was chosen before.
+function done(selection, stages = [], before = state.selection) {
   fail("");
   takeSteps();
+  Object.assign(state.history[state.history.length - 1], {before, after: selection});
   const moving = animates();
   refresh(selection, stages, moving ? kMotion : 0);
-  say(`Done: ${state.history[state.status.done - 1].words}.`);
+  say(`Done: ${state.history[state.status.done - 1].words}. ${countWords()}.${state.selection ? " Chosen: " + subjectWords() : ""}`);
 }
+const countWords = () => plural(state.status.irregular.length, "irregular vertex", "irregular vertices");
 
 // An edit that needs no offer.
 function edit(what, parameters = {}) {
@@ -267,8 +292,10 @@ function goTo(count) {
   view.finish();
   stopReducing();
   const by = count < state.status.done ? "undo" : "redo";
+  const known = by === "undo" ? state.history[count].before : state.history[count - 1].after;
   for (let i = Math.abs(count - state.status.done); i > 0; --i) library.ask(by);
   fail("");
-  refresh(state.selection, [], animates() ? kMotion : 0);
-  say(`${by === "undo" ? "Undone" : "Redone"}. ${plural(count, "step")} of ${state.history.length} done.`);
+  refresh(known === undefined ? state.selection : known, [], animates() ? kMotion : 0);
+  say(`${by === "undo" ? "Undone" : "Redone"}. ${plural(count, "step")} of ${state.history.length} done` +
+      `${count > 0 ? ", the last: " + state.history[count - 1].words : ""}. ${countWords()}.`);
 }

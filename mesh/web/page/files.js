@@ -49,6 +49,7 @@ function save(blob, name) {
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
+  say(`Saved ${name}.`);
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
@@ -128,7 +129,7 @@ function reduce(single) {
   reducing.stopping = false;
   reducing.shown = performance.now();
   reducing.timer = setTimeout(reduceMore);
-  showTools();
+  keepingFocus(showTools);
   showReducing("Reducing …");
 }
 
@@ -149,12 +150,14 @@ function reduceMore() {
     showReducing(`${state.status.irregular.length} irregular vertices.`);
   }
   reducing.timer = ends ? 0 : setTimeout(reduceMore);
-  if (slice === "ended" || reducing.stopping) return finishReducing();
-  if (ends) showTools();
+  if (slice === "ended" || reducing.stopping) return finishReducing(reducing.stopping);
+  if (!ends) return;
+  keepingFocus(showTools);
+  say(`Done: ${state.history[state.status.done - 1].words}.`);
 }
 
 // Ends the reduction with a fit of what it touched.
-function finishReducing() {
+function finishReducing(stopped = true) {
   if (!state.status || !state.status.reduces) return;
   clearTimeout(reducing.timer);
   reducing.stopping = false;
@@ -167,7 +170,8 @@ function finishReducing() {
     refresh(null);
     const left = state.status.irregular.length;
     showReducing(`${plural(left, "irregular vertex", "irregular vertices")} left` +
-        (left > before ? "; the last cancellations went too far and were taken back." : "."));
+        (left > before ? "; the last cancellations went too far and were taken back." :
+         stopped ? "; stopped." : left > reducing.until ? "; no other pair can be cancelled so." : "."));
     say($("reduce-text").textContent);
   }, 30);
 }

@@ -20,7 +20,7 @@ function act(event) {
     toggleHelper(hit.id);
   } else if (hit.kind === "marker") {
     chooseVertex(hit.id, event.shiftKey);
-  } else if (hit.selection.kind === "vertex") {
+  } else if (hit.selection.kind === "vertex" || state.helping) {
     chooseVertex(hit.selection.a, event.shiftKey);
   } else {
     choose(hit.selection);
@@ -47,6 +47,7 @@ function listenToPointer() {
       const hit = state.status && state.legal.some((o) => o.arrows.length) ? pointedAt(event) : null;
       const offer = hit && hit.kind === "arrow" ? state.legal[hit.tag] : null;
       canvas.classList.toggle("pointing", Boolean(offer));
+      canvas.title = offer ? `${offer.name}: ${offer.effect}` : "";
       if (offer !== state.shown) showEffect(offer);
     });
   });
@@ -65,6 +66,25 @@ function listenToPointer() {
   });
 }
 
+// Stops what goes on, or chooses nothing.
+function leave() {
+  if (reducing.timer) {
+    reducing.stopping = true;
+  } else if (state.helping) {
+    setHelping(false);
+  } else {
+    choose(null);
+    say("Nothing is chosen.");
+  }
+}
+
+function setHelping(helping) {
+  state.helping = helping;
+  keepingFocus(showHelpers);
+  draw();
+  say(helping ? "Click irregular vertices that may help, or enter the number of one." : $("helpers-text").textContent + ".");
+}
+
 const kKeys = {
   n: () => step(1),
   p: () => step(-1),
@@ -73,21 +93,24 @@ const kKeys = {
   r: () => goTo(state.status.done + 1),
   0: () => view.lookAt(state.status.centre, state.status.radius),
   c: approach,
-  Escape: () => choose(null),
+  Escape: leave,
   "+": () => view.zoom(0.8),
+  "=": () => view.zoom(0.8),
   "-": () => view.zoom(1.25),
 };
 const kTurns = {ArrowLeft: [-0.15, 0], ArrowRight: [0.15, 0], ArrowUp: [0, -0.15], ArrowDown: [0, 0.15]};
 
 function listenToKeys() {
   document.addEventListener("keydown", (event) => {
-    const inField = event.target.matches("input:not([type=checkbox]), select, textarea");
+    const control = event.ctrlKey || event.metaKey;
+    const inField = event.target.matches("input:not([type=checkbox]):not([type=range]), textarea") ||
+        (event.target.matches("select") && !control);
     if (document.querySelector("dialog[open]") || inField || event.altKey) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (key === "?") return $("help").showModal();
     if (!state.status) return;
     let does = null;
-    if (event.ctrlKey || event.metaKey) {
+    if (control) {
       if (key === "z") does = () => goTo(state.status.done + (event.shiftKey ? 1 : -1));
       if (key === "y") does = () => goTo(state.status.done + 1);
     } else if (kKeys[key]) {
@@ -110,10 +133,25 @@ function listenToButtons() {
     event.target.value = "";
   });
   for (const name of Object.keys(kExamples)) $("examples").add(new Option(name, name));
-  on("examples", "change", (event) => {
-    if (event.target.value) open(new TextEncoder().encode(kExamples[event.target.value]), event.target.value);
-    event.target.value = "";
+  // Arrows and letters only pass over the examples; Enter opens the one that is shown.
+  let byKey = false;
+  const openExample = () => {
+    const name = $("examples").value;
+    if (name) open(new TextEncoder().encode(kExamples[name]), name);
+    $("examples").value = "";
+    byKey = false;
+  };
+  on("examples", "change", () => { if (!byKey) openExample(); });
+  on("examples", "keydown", (event) => {
+    if (event.key === "Enter" && $("examples").value) {
+      event.preventDefault();
+      openExample();
+    } else {
+      byKey = !event.altKey && event.key !== "Enter" && event.key !== " ";
+    }
   });
+  on("examples", "pointerdown", () => { byKey = false; });
+  on("examples", "blur", () => { $("examples").value = ""; });
   on("undo", "click", () => goTo(state.status.done - 1));
   on("redo", "click", () => goTo(state.status.done + 1));
   const stem = () => state.name.replace(/\.[^.]*$/, "");
@@ -124,17 +162,16 @@ function listenToButtons() {
   on("next-vertex", "click", () => step(1));
   on("previous-vertex", "click", () => step(-1));
   on("partner", "click", nextPartner);
-  on("clear", "click", () => choose(null));
+  on("clear", "click", () => {
+    choose(null);
+    say("Nothing is chosen.");
+  });
   on("closer", "click", approach);
   on("third", "click", () => {
     choose({kind: "pair", a: state.selection.a, b: state.offers.third});
     showSubject();
   });
-  on("helping", "click", () => {
-    state.helping = !state.helping;
-    showHelpers();
-    draw();
-  });
+  on("helping", "click", () => setHelping(!state.helping));
   on("usual-helpers", "click", () => chooseHelpers([]));
   on("time", "input", () => goTo(Number($("time").value)));
   on("paint", "change", () => {
@@ -151,7 +188,8 @@ function listenToButtons() {
   on("angle", "input", () => {
     const edges = library.ask("sharp", {degrees: degrees()});
     drawEdges(edges);
-    $("features-text").textContent = `${degrees()}°: ${plural(edges.length, "edge")} would be features`;
+    $("degrees").textContent = degrees();
+    $("features-text").textContent = `${plural(edges.length, "edge")} would be features`;
   });
   on("angle", "change", () => {
     edit("set_features", {degrees: degrees()});
@@ -175,6 +213,10 @@ function listenToButtons() {
     event.preventDefault();
     chooseByNumber($("number").value);
   });
+  on("show-edges", "change", () => {
+    view.material.uniforms.edges.value = $("show-edges").checked ? 1 : 0;
+    view.draw();
+  });
   for (const id of ["show-separatrices", "show-all-separatrices", "show-alpha"]) on(id, "change", draw);
   on("reset-view", "click", () => state.status && view.lookAt(state.status.centre, state.status.radius));
   on("leave", "click", () => $("question").close());
@@ -195,7 +237,9 @@ async function start() {
     draw();
     if (state.status) drawEdges();
   });
-  $("animate").checked = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  $("animate").checked = !still.matches;
+  still.addEventListener("change", () => { $("animate").checked = !still.matches; });
   listenToPointer();
   listenToKeys();
   listenToButtons();

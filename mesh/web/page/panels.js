@@ -35,6 +35,7 @@ function drawEdges(features = state.features) {
 // Tints what the offer would change, or what is chosen, and draws the arrows.
 function showEffect(offer) {
   state.shown = offer;
+  [...$("offers").children].forEach((item, index) => item.classList.toggle("shown", offer !== null && state.legal[index] === offer));
   const tints = [];
   const quad = state.selection && state.selection.kind === "quad";
   if (state.subject && (quad || $("show-alpha").checked)) tints.push([state.subject.quads, quad ? kTint.chosen : kTint.alpha]);
@@ -167,4 +168,6 @@ function showHistory() {
     item.append(button);
     return item;
   }));
+  const list = $("history"), current = list.children[done];
+  list.scrollTop += current.getBoundingClientRect().top - list.getBoundingClientRect().top - list.clientHeight / 2;
 }

@@ -32,7 +32,8 @@ const kQuadShaders = {
     uniform vec3 edge;
     uniform vec3 dark;
     uniform vec3 wrong;
-    uniform int paint;  // as kPaints counts
+    uniform int paint;    // as kPaints counts
+    uniform float edges;  // 0: none are drawn
     varying vec2 vPlace;
     varying vec3 vNormal;
     varying float vTint;
@@ -60,7 +61,7 @@ const kQuadShaders = {
       float line = 1.0 - smoothstep(0.4, 1.2, min(near.x, near.y));
       // Where edges are closer than some pixels they would hide the quads.
       float room = clamp(0.35 / max(max(width.x, width.y), 1e-6), 0.0, 1.0);
-      gl_FragColor = vec4(mix(colour, edge, line * room * 0.85), 1.0);
+      gl_FragColor = vec4(mix(colour, edge, line * room * 0.85 * edges), 1.0);
     }`,
 };
 

@@ -27,7 +27,7 @@ class View {
     };
     this.material = new THREE.ShaderMaterial({
       ...kQuadShaders, ...quads,
-      uniforms: {colours: {value: Array.from({length: 5}, () => new THREE.Color())}, paint: {value: 0},
+      uniforms: {colours: {value: Array.from({length: 5}, () => new THREE.Color())}, paint: {value: 0}, edges: {value: 1},
                  ...Object.fromEntries(kQuadColours.map((name) => [name, {value: new THREE.Color()}]))},
     });
     this.pickMaterial = new THREE.ShaderMaterial({...pickShaders(kQuadShaders, "vQuad", "1.0"), ...quads});
@@ -86,6 +86,7 @@ class View {
     this.markerUniforms.size.value = 20 * ratio;
     const size = this.renderer.getSize(new THREE.Vector2());
     for (const line of this.lines.children.concat(this.edges.children)) line.material.resolution.copy(size);
+    this.sizeArrows(size.y);
     this.renderer.render(this.scene, this.camera);
     this.drawn = (this.drawn || 0) + 1;
   }
@@ -267,8 +268,10 @@ class View {
     this.draw();
   }
 
-  // Arrows: a list of {from, to, colour, tag, faint}. `length` is that of each; they are seen through the mesh.
+  // Arrows: a list of {from, to, colour, tag, faint}. `length` is that of each, but they are not shorter than some pixels;
+  // they are seen through the mesh.
   setArrows(arrows, length) {
+    this.arrowLength = length;
     this.arrows.remove(...this.arrows.children);
     for (const {from, to, colour, tag, faint} of arrows) {
       const start = new THREE.Vector3(...from);
@@ -289,13 +292,19 @@ class View {
       part(this.shapes.shaft, 0.6, material);
       part(this.shapes.head, 1.1, material);
       part(this.shapes.handle, 0.8, unseen);  // what can be hit
-      arrow.scale.setScalar(length);
       arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
       arrow.position.copy(start);
       arrow.userData.tag = tag;
       this.arrows.add(arrow);
     }
+    this.sizeArrows(this.renderer.getSize(new THREE.Vector2()).y);
     this.draw();
+  }
+  sizeArrows(height) {
+    const kLeast = 34;  // pixels
+    const perPixel = 2 * Math.tan((Math.PI / 360) * this.camera.fov) / height;
+    for (const arrow of this.arrows.children)
+      arrow.scale.setScalar(Math.max(this.arrowLength, kLeast * perPixel * this.camera.position.distanceTo(arrow.position)));
   }
 
   // --- the camera ------------------------------------------------------------------------------------------------------
@@ -367,9 +376,12 @@ class View {
     if (visible) return;
     const outward = middle.clone().sub(this.centre);
     if (outward.length() < 1e-9) return;
-    const distance = this.camera.position.distanceTo(this.controls.target);
-    this.controls.target.copy(this.centre);
-    this.camera.position.copy(this.centre).add(outward.normalize().multiplyScalar(distance));
+    // From so near as before, but all of them are in view and the surface is not crossed.
+    const reach = 0.3 * this.radius + 1.5 * Math.max(...points.map((p) => middle.distanceTo(new THREE.Vector3(...p))));
+    const distance = Math.max(this.camera.position.distanceTo(this.controls.target),
+                              reach / Math.sin((Math.PI / 180) * 15) / Math.min(1, this.camera.aspect));
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(outward.normalize().multiplyScalar(distance));
     this.controls.update();
     this.draw();
   }

@@ -178,6 +178,57 @@ TEST_CASE("in a browser, files are saved that the programs accept", "[editor][br
   CHECK(browser.complaints() == std::vector<std::string>{});
 }
 
+TEST_CASE("in a browser, the keyboard keeps its place, and the pair is chosen again after an undo",
+          "[editor][browser]") {
+  const auto page = editor_page();
+  if (!page) return;
+  Editing editing(*page);
+  Browser& browser = editing.browser;
+  editing.open(example_mesh("figure-17"));
+  const auto focused = [&](const std::string& what) {
+    return editing.evaluate("document.activeElement." + what).get<std::string>();
+  };
+  editing.choose("153 163");
+  const json pair = editing.selection();
+  // A third vertex is added by its number.
+  const json usual = editing.evaluate("helpers()");
+  editing.evaluate("document.getElementById('helpers').open = true");
+  editing.press("helping");
+  CHECK(editing.text("live").find("enter the number of one") != std::string::npos);
+  editing.choose(editing.evaluate("editor.library.ask('name', {vertex: " + usual[0].dump() + "}).split(' ')[0]"));
+  CHECK(editing.evaluate("helpers()") == json::array({usual[0]}));
+  editing.choose("1");  // no irregular vertex
+  CHECK(editing.evaluate("helpers()") == json::array({usual[0]}));
+  browser.press("Tab");
+  browser.press("Escape");  // ends the choice of third vertices only
+  CHECK(editing.evaluate("editor.state.helping") == false);
+  CHECK(editing.selection()["b"] == pair["b"]);
+  // An edit by Enter, and its undo.
+  editing.choose("153 163");
+  editing.evaluate("document.querySelector('#offers button').focus()");
+  browser.press("Tab");
+  const std::string name = editing.evaluate("document.activeElement.dataset.name");
+  const json chosen = editing.selection();
+  browser.press("Enter");
+  editing.settle();
+  REQUIRE(editing.evaluate("editor.state.status.done") == 1);
+  editing.follow(chosen, name);
+  CHECK(focused("tagName") == "BUTTON");
+  browser.press("Control+z");
+  editing.settle();
+  CHECK(editing.evaluate("editor.state.status.done") == 0);
+  CHECK(editing.selection() == chosen);
+  CHECK(focused("tagName") != "BODY");
+  // A reduction that is stopped before it cancels anything loses nothing.
+  CHECK(editing.evaluate("editor.state.history.length") == 1);
+  editing.evaluate("reduce(false)");
+  editing.evaluate("leave()");
+  REQUIRE(browser.wait("document.getElementById('reduce-text').textContent.includes('stopped')"));
+  editing.settle();
+  if (editing.evaluate("editor.state.status.done") == 0) CHECK(editing.evaluate("editor.state.history.length") == 1);
+  CHECK(browser.complaints() == std::vector<std::string>{});
+}
+
 TEST_CASE("in a browser, the keyboard suffices to edit", "[editor][browser]") {
   const auto page = editor_page();
   if (!page) return;
@@ -283,7 +334,8 @@ TEST_CASE("in a browser, what cannot be done is said in words", "[editor][browse
   CHECK(editing.text("offers-note").find("the vertices do not have the valences that this needs") != std::string::npos);
   CHECK(editing.text("offers-note").find("Choose two irregular vertices") != std::string::npos);
   editing.choose("9999");
-  CHECK(editing.text("error") == "There is no such vertex or pair: '9999'; expected one or two numbers from 1 to 366.");
+  CHECK(editing.text("error") ==
+        "There is no such vertex or pair: '9999'; expected a number from 1 to 366, or two different ones.");
   editing.choose("153 366");
   editing.check_offers();
   CHECK(editing.evaluate("document.getElementById('error').hidden") == true);
