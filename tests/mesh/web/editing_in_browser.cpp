@@ -156,6 +156,7 @@ void Editing::set(const std::string& id, const std::string& value) {
 }
 
 void Editing::check_offers() {
+  settle();  // all of them are there
   const json chosen = selection();
   REQUIRE(chosen.is_object());
   const web::Offers& offers = native->offers(native_selection(chosen));
