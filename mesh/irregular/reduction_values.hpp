@@ -1,5 +1,5 @@
-// What the vertices of a mesh add to the sums that a reduction watches, remembered from one cancellation to the next. So
-// what a cancellation changes is known from its affected region alone.
+// What each vertex of a mesh adds to the sums that a reduction watches. It is remembered from one cancellation to the
+// next, so that the effect of a cancellation is computed from its affected region alone.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace requad::mesh {
 
-// What a vertex adds; of what its faces add, a quarter of each. Or a difference between two meshes.
+// What one vertex adds, or a sum or difference of such values.
 struct ReductionValue {
-  double curvature = 0;  // |discrete mean curvature|; 0 unless it is asked for
-  double quality = 0;    // scaled Jacobians
-  int inverted = 0;      // corners of inverted faces
+  double curvature = 0;  // |integrated mean curvature|; 0 unless it is asked for
+  double quality = 0;    // a quarter of the scaled Jacobian of each of its faces
+  int inverted = 0;      // inverted faces at it
   int irregular = 0;
-  int inside = 0;  // irregular and free
+  int inside = 0;  // irregular, and not fixed (Editor::is_fixed)
 
   ReductionValue& operator+=(const ReductionValue& o);
   ReductionValue& operator-=(const ReductionValue& o);
@@ -22,14 +22,15 @@ struct ReductionValue {
 
 class ReductionValues {
  public:
-  // The editor must outlive it, and has positions.
+  // The editor must outlive this object and have positions.
   ReductionValues(const Editor& editor, bool curvature) : editor_(editor), curvature_(curvature) {}
 
-  // Remembers the mesh as it is: all of it, or a region since it was remembered last. O(what is remembered).
+  // Remembers the mesh as it is: all of it, or the region outside which nothing has changed since. O(what is
+  // remembered).
   void remember_all();
   void remember(const AffectedRegion& region);
 
-  // Of the mesh that is remembered.
+  // Of the mesh that is remembered. Precondition: there is one.
   int irregular() const { return sum_.irregular; }
   double mean_quality() const { return sum_.quality / faces_; }
   // The mean quality of the present mesh, which differs from the remembered one by this change.

@@ -2,7 +2,8 @@
 // undo it, and write the result. The page draws and listens; everything that knows quads is here.
 //
 // Terms (and those of offer.hpp)
-//   step        an edit that was made, with the fit around it; or a change of the features. undo() undoes one step.
+//   step        an entry of the history: an edit with the fit of the vertices round it, a smoothing, a script that was
+//               replayed, or a change of the features. undo() undoes one step.
 //   number      of a vertex: the one that it has in the file of the present mesh, counted from 1, as requad-edit counts.
 //
 // Laws
@@ -50,19 +51,19 @@ struct Description {
   int index_sum = 0;             // of 4 - l(v) over the irregular vertices, which no edit inside the mesh changes
   int inverted = 0;
   int features = 0;  // edges
-  // So many irregular vertices of valence 3 and 5 there must be with this sum: |index_sum|.
+  // If all irregular vertices are v3s and v5s, there are at least so many: |index_sum|.
   int least_irregular() const { return index_sum < 0 ? -index_sum : index_sum; }
 };
 
-// What changed since it was asked last, for the screen. A quad that is listed may be gone.
+// What changed since take_changes() was called last, for the screen. A quad that is listed may be gone.
 struct Changes {
   bool everything = false;  // a mesh was opened; the lists are empty
-  bool features = false;    // they are others, too
+  bool features = false;    // the features changed
   std::vector<VertexId> vertices;
   std::vector<FaceId> quads;
 };
 
-// What edits keep, and how many quads lie beside it.
+// The feature edges, and the number of quads planned for each sector between them.
 struct Features {
   mesh::FeatureSet edges;
   mesh::SectorPlan plan;
@@ -71,7 +72,7 @@ struct Features {
 struct Step {
   std::string words;      // what was done, for the history
   std::size_t begin = 0;  // its first edit, as Editor::mark() counts
-  std::size_t end = 0;    // that after its last one
+  std::size_t end = 0;    // one past its last edit
   // If it changes the features: those before it and after it.
   std::shared_ptr<const Features> before = nullptr;
   std::shared_ptr<const Features> after = nullptr;
@@ -98,11 +99,11 @@ class Session {
   std::string name_of(VertexId v) const;
   // The irregular vertices nearest to v, nearest first.
   std::vector<VertexId> nearest_irregular(VertexId v, int most);
-  // The vertices of the separatrices of v; of all its straight paths if v is regular.
+  // The separatrices of v, each as its vertices; the straight paths along its edges if v is regular.
   std::vector<std::vector<VertexId>> separatrices(VertexId v) const;
   // The boundary, loop by loop; the first vertex comes last again. No edit changes it.
   std::vector<std::vector<VertexId>> boundary() const;
-  // The quads of R_alpha and the vertices round it; empty without a rectangle.
+  // The quads of R_alpha and the vertices round it; empty if a and b span no rectangle.
   struct Rectangle {
     std::vector<FaceId> quads;
     std::vector<VertexId> rim;
@@ -116,7 +117,7 @@ class Session {
   // The edits of a selection:
   //   vertex  the atomic operations of section 5 at it
   //   pair    the moves of section 6, or transports if the pair spans no rectangle; merging, aligning, cancelling
-  //   edge    the two flips, the atomic operations along it, and to make it a feature edge or an ordinary one
+  //   edge    the two flips, the atomic operations along it, making it a feature edge or an ordinary one
   //   quad    the two collapses
   // The offers stay valid until the next step, undo or redo, or until others are asked for.
   const Offers& offers(const Selection& selection);
@@ -130,12 +131,13 @@ class Session {
 
   // Steps that need no offer. Each returns "", or why it was refused.
   //
-  // Smooths the vertices within so many edges of these and keeps the shape; all vertices if there are none. It is
-  // refused if more quads would be inverted then. About 0.1 ms for each vertex.
+  // Smooths the vertices within so many rings of these and keeps the shape; all vertices if there are none. It is
+  // refused if more quads would be inverted, or if nothing moves. About 0.1 ms for each vertex.
   std::string smooth(std::span<const VertexId> centres, int rings);
-  // Makes these edges the features, in place of those that there are. Edits of fixed vertices count quads anew.
+  // Makes these edges the features, in place of those that there are; the quads between features are planned anew.
   std::string set_features(const mesh::FeatureEdges& edges);
-  // Replays a script on the mesh that was opened. Throws FileError if it belongs to another mesh.
+  // Replays a script on the mesh that was opened. Refused unless all steps are undone. Throws
+  // FileError if the script has a mistake or belongs to another mesh.
   std::string apply(std::string_view script, const std::string& name);
 
   mesh::FeatureEdges features() const { return features_.edges.edges(); }
@@ -149,7 +151,8 @@ class Session {
   // Works for some milliseconds. Precondition: a reduction runs.
   using Slice = mesh::Reduction::Slice;
   Slice reduce();
-  // Fits what was touched, as a last step, and ends the reduction. Steps that went too far are undone.
+  // Fits what was touched, as a last step, and ends the reduction. Steps that went too far are undone. Precondition: a
+  // reduction runs.
   void finish_reduction();
   bool reduces() const { return reduction_ != nullptr; }
 
@@ -160,7 +163,7 @@ class Session {
   // The operations of a step that is done, as lines of a script.
   std::vector<std::string> lines(const Step& step) const;
 
-  // What an edit script, and an OBJ file with its attributes, say (requad-edit --script, -o).
+  // The texts of the edit script and of the OBJ file with its attributes, as requad-edit --script and -o write them.
   std::string script() const;
   std::string export_obj() const;
 

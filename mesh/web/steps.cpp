@@ -167,6 +167,7 @@ std::string Session::apply(std::string_view text, const std::string& name) {
   const mesh::Replay replay = mesh::replay(editor_, script);
   if (replay.refusal != mesh::Refusal::none)
     return name + ":" + std::to_string(replay.line) + ": " + std::string(replay.refusal.clause());
+  reduction_.reset();
   finish_step(std::move(step));
   return "";
 }

@@ -127,6 +127,15 @@ TEST_CASE("a script is replayed on the mesh that was opened, and on no other", "
   CHECK(other.steps().empty());
 }
 
+TEST_CASE("a script that is replayed ends a reduction", "[session]") {
+  Session session(surface_of(example_mesh("figure-17")));
+  const std::string script = session.script();  // without edits
+  session.start_reduction(0, -1);
+  REQUIRE(session.reduces());
+  REQUIRE(session.apply(script, "empty.txt").empty());
+  CHECK_FALSE(session.reduces());
+}
+
 TEST_CASE("a reduction makes the edits of requad-edit reduce, one step for each cancellation", "[session]") {
   const std::string input = busy_mesh();
   Session session(Session::read(slurp(input), input, false));
