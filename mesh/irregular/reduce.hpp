@@ -5,7 +5,7 @@
 // is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. Its cost is measured by
 // making it, without a fit, and rolling it back. Costs are kept in a priority queue. After each cancellation, only the
 // candidates round the vertices that it changed are added anew. A candidate is measured again when its turn comes, if
-// something was cancelled since.
+// something has changed since where its helpers were looked for.
 //
 // A correspondence (geometry/correspondence.hpp) is kept from the first edit on. So the mesh stretches over the ears
 // and legs of the input however few quads are left of them.

@@ -73,9 +73,13 @@ function leave() {
   } else if (state.helping) {
     setHelping(false);
   } else {
-    choose(null);
-    say("Nothing is chosen.");
+    chooseNothing();
   }
+}
+
+function chooseNothing() {
+  choose(null);
+  say("Nothing is chosen.");
 }
 
 function setHelping(helping) {
@@ -162,10 +166,7 @@ function listenToButtons() {
   on("next-vertex", "click", () => step(1));
   on("previous-vertex", "click", () => step(-1));
   on("partner", "click", nextPartner);
-  on("clear", "click", () => {
-    choose(null);
-    say("Nothing is chosen.");
-  });
+  on("clear", "click", chooseNothing);
   on("closer", "click", approach);
   on("third", "click", () => {
     choose({kind: "pair", a: state.selection.a, b: state.offers.third});
