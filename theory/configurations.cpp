@@ -25,8 +25,8 @@ bool operator<(const Configuration& a, const Configuration& b) {
 }
 
 GridPoint grid_point(PairType type, const Configuration& c) {
-  if (type.symmetric()) return {c.d1(), c.d2()};
-  return {c.parameters.e(0), c.parameters.e(1)};
+  if (type.side_count() % 4 == 0) return {c.parameters.e(0), c.parameters.e(1)};
+  return {c.d1(), c.d2()};
 }
 
 std::string label(PairType type, const Configuration& c) { return label(type, grid_point(type, c), c.p); }

@@ -35,7 +35,8 @@ struct Configuration {
 bool operator==(const Configuration& a, const Configuration& b);
 bool operator<(const Configuration& a, const Configuration& b);
 
-// The paper's grid coordinates: (d1, d2) for equal valences, (e1, e2) for a 3-5 pair (Theorem 7.4).
+// The coordinates that tell apart the configurations of one labelling: (d1, d2), but (e1, e2) where 4 divides the number
+// of sides, as for a 3-5 pair, since the sides fix d1 and d2 there. They are those of Theorems 7.2, 7.3 and 7.4.
 struct GridPoint {
   Integer m = 0;
   Integer n = 0;
@@ -43,8 +44,7 @@ struct GridPoint {
 };
 GridPoint grid_point(PairType type, const Configuration& configuration);
 
-// "(m,n)", or "(m,n,p)" where p takes more than one value in a region (Theorem 7.3); the merged configuration is
-// "(0,0)".
+// "(m,n)", or "(m,n,p)" if the type has a third index; the merged configuration is "(0,0)".
 std::string label(PairType type, const Configuration& configuration);
 std::string label(PairType type, const GridPoint& at, int p);
 

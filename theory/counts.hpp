@@ -1,5 +1,5 @@
-// Closed forms for the number of configurations. Each follows from a theorem and lists no parameter set, so that the
-// two can be compared.
+// The number of configurations, by the closed forms of the theorems and, beyond them, by sums. None lists a parameter
+// set, so that the two can be compared.
 #pragma once
 
 #include "theory/configurations.hpp"
@@ -18,7 +18,8 @@ Integer tau_digon(Integer length);
 Integer tau_hexagon(Integer length);
 
 // Theorem 7.4: K = M N. The sides fix d1 and d2: d1 - d2 = E1 - E3 and d1 + d2 = E4 - E2 in the labelling of Equation
-// 3. So at most one labelling fits. If none does, K = 0.
+// 3. So at most one labelling with d1 >= 1 fits. (A segment with d1 = 0 is one with d2 = 0, by theory-3.) If none
+// does, K = 0.
 struct QuadCount {
   int p = 0;  // the labelling, 0 if none
   Integer d1 = 0;

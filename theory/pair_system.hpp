@@ -22,8 +22,8 @@
 // vertices. For (l1,l2) = (3,3), (5,5), (5,3) this is the digon's system, Equation 2 and Equation 3 of the paper. It
 // holds for any two valences >= 3, and with d1 = d2 = 0 for one vertex of valence k.
 //
-// theory-2  the matrix of the e_i is a circulant. It is singular exactly if 4 divides k, which is Theorem 7.1's
-//           condition.
+// theory-2  the matrix of the e_i is a circulant. It is singular exactly if 4 divides k. Theorem 7.1 is about the single
+//           vertices of the other valences k.
 #pragma once
 
 #include <cstdint>
@@ -61,9 +61,10 @@ struct PairType {
   bool symmetric() const { return l1 == l2; }
   // The number of ways to lay the labels 1..k on the sides. Labellings that only swap two equal vertices count once.
   int rotation_count() const { return symmetric() ? side_count() / 2 : side_count(); }
-  // Whether the labels of one region's configurations have a third index p: (d1, d2, p) as in Theorem 7.3. For
-  // different valences the sides of a region fix p (Theorem 7.4).
-  bool has_third_index() const { return symmetric() && rotation_count() > 1; }
+  // Whether the configurations of one region can differ in p alone, so that their labels have it as a third index, as in
+  // Theorem 7.3. A digon has one labelling. The sides of a region with a 3-5 pair fix p (Theorem 7.4), but for a segment,
+  // which has a second labelling by theory-3.
+  bool has_third_index() const { return rotation_count() > 1 && side_count() != 4; }
   // "3-3", "5-5", "3-5": the smaller valence first, as the paper writes it.
   std::string name() const;
 

@@ -183,4 +183,12 @@ const std::vector<Erratum>& find_errata() {
   return found;
 }
 
+std::string errata_text() {
+  std::string text;
+  for (const Erratum& e : find_errata()) {
+    text += e.where + ": " + e.written + "\n     found: " + e.found + "\n     shown by: " + e.instance + '\n';
+  }
+  return text;
+}
+
 }  // namespace requad::verify

@@ -19,10 +19,6 @@ namespace requad::enumerate {
 
 namespace {
 
-int third_index(theory::PairType type, const theory::Configuration& c) {
-  return type.has_third_index() && !c.merged() ? c.p : 0;
-}
-
 // An edge of the configuration graph, read from node i to node j: the move that leads there, and its operations on the
 // mesh of node i's signature.
 struct Edge {
@@ -85,7 +81,7 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
     signatures.push_back(node.signature);
     d1.push_back(c.d1());
     d2.push_back(c.d2());
-    p.push_back(third_index(found.shape.type(), c));
+    p.push_back(c.p);
     faces.push_back(node.region.mesh.face_count());
     const GridPosition at = grid_position(found.shape.type(), c);
     x.push_back(at[0]);
@@ -106,7 +102,7 @@ AttributedGraph attributed_graph(const Exploration& found, theory::Apex apex) {
 
 nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node) {
   const theory::Configuration& c = node.reading.configuration;
-  nlohmann::ordered_json json{{"d1", c.d1()}, {"d2", c.d2()}, {"p", third_index(type, c)}};
+  nlohmann::ordered_json json{{"d1", c.d1()}, {"d2", c.d2()}, {"p", c.p}};
   if (!type.symmetric()) {
     const theory::GridPoint at = theory::grid_point(type, c);
     json["m"] = at.m;
@@ -140,7 +136,7 @@ nlohmann::ordered_json graph_json(const Exploration& found, theory::Apex apex) {
 }
 
 std::string graph_dot(const Exploration& found, theory::Apex apex) {
-  constexpr double kPointsPerUnit = 62;
+  constexpr double kPointsPerUnit = 124;
   AttributedGraph graph = attributed_graph(found, apex);
   const auto take = [&graph](const char* name) {
     return std::get<std::vector<double>>(graph.at_nodes.extract(name).mapped());

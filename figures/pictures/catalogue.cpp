@@ -71,12 +71,12 @@ const std::vector<CatalogueEntry>& catalogue() {
        drawn(paint_type_changes)},
       {"6", "6", "The four moves of a 3-5 pair",
        "Above, one separatrix joins the pair; below, the pair spans a 2 x 1 grid. Each column shows one move, before "
-       "and after. The bold path keeps its shape, and its length says how many quads are made or deleted. Shaded: the "
+       "and after. The bold path keeps its shape. A split along it makes a quad, a collapse deletes one. Shaded: the "
        "strips around the change, which stay.",
        false, false, "", 0, drawn(paint_pair_moves)},
-      {"7", "7", "A move that goes round a feature",
-       "The direct move would flip an edge of the feature (black), so it is refused. Instead an adjacent 3-5 pair "
-       "goes from the v5 round the end of the feature to the v3. The result is the configuration that the direct move "
+      {"7", "7", "A move that goes around a feature",
+       "The direct move would change edges of the feature (black), so it is refused. Instead an adjacent 3-5 pair "
+       "goes from the v5 around the end of the feature to the v3. The result is the configuration that the direct move "
        "would have made.",
        false, false, "", 0, drawn(paint_detour)},
       {"8", "8", "Two moves of a 3-3 pair",

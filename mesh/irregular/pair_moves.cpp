@@ -239,7 +239,7 @@ std::vector<PairMove> pair_moves(const QuadMesh& m, VertexId v1, VertexId v2) {
   }
   std::vector<PairMove> moves;
   for (const PairFrame& frame : frames) {
-    if (l1 != l2 && frame.d2 == 0) continue;  // both frames of a segment describe the same four translations
+    if (l1 != l2 && frame.d1 == 0) continue;  // both frames of a segment describe the same four translations
     for (const PairStep step : kPairSteps) {
       const PairMove move{frame, step};
       const Extents to = after(m, move);

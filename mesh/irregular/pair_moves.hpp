@@ -17,8 +17,8 @@
 //   close                 (+1, +1)                    (-1, -1)      the side of v2's outward separatrix
 //
 // Law irregular-11 (faces, claim P3). Let c be -1, +1, 0 for a 3-3, 5-5, 3-5 pair. The mesh gains d2 - d1 + c faces by
-// slide_first, d1 - d2 + c by slide_second and d1 + d2 + c by open; it loses d1 + d2 - c by close. This is the length
-// of the connecting path.
+// slide_first, d1 - d2 + c by slide_second and d1 + d2 + c by open; it loses d1 + d2 - c by close. So open and close
+// change as many faces as the connecting path is long, up to c, and slides as many as its two extents differ by.
 //
 // Law irregular-12 (locality, claim N4). A move changes no valence outside the smallest convex region that holds the
 // pair before and after. It changes no valence on the boundary of the mesh, not even on its way.
@@ -28,7 +28,7 @@
 // and rolls back what is refused. pair_moves() lists candidates only.
 //
 // Law irregular-13 (room). All candidates are legal if R_alpha has room (has_room() in pair_frame.hpp): it is embedded
-// with the faces round it, and regular. In a convex region that is so for each pair that the boundary does not touch.
+// with the faces round it, and regular. In a convex region it has room exactly if all strips e_i are 2 or more.
 // On closed surfaces separatrices wind round, and R_alpha can overlap itself or contain other irregular vertices. Many
 // moves are legal there nevertheless, and the laws hold for those. The others are refused.
 //
@@ -69,8 +69,8 @@ struct PairMove {
 };
 
 // The four moves that the pair could make if the mesh had room. Empty if v1 and v2 are no 3-3, 5-5 or 3-5 pair, or if
-// they span no rectangle. A segment has two frames (find_frames()). A step that only the other frame has is listed with
-// that frame.
+// they span no rectangle. A segment has two frames (find_frames()). The moves of a 3-5 pair are seen from that with
+// d2 = 0. Those of equal vertices are seen from both, since each frame has steps that the other one lacks.
 std::vector<PairMove> pair_moves(const QuadMesh& mesh, VertexId v1, VertexId v2);
 // The moves that part a merged pair: one for a v2, three for a v6, none for any other valence.
 std::vector<PairMove> parting_moves(const QuadMesh& mesh, VertexId merged);

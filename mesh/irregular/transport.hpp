@@ -23,8 +23,8 @@
 //      u --> v --- x        split     v along u - v - z, where v-z is the second edge of v from v-u on that hand; the
 //                                     pair is then (the part of v on that hand) -> z
 //
-// Law irregular-1. A step raises the valence of u by one and lowers that of v by one: both are then what they
-//         are without the pair. It lowers the valence of the next u by one and raises that of the next v by one. It
+// Law irregular-1. A step raises the valence of u by one and lowers that of v by one: both then have the valences that
+//         they would have without the pair. It lowers the valence of the next u by one and raises that of the next v by one. It
 //         changes no other valence. For a collapse this law requires l(u) = 3.
 // Law irregular-2. It follows that a transport over regular vertices leaves only regular vertices behind.
 //

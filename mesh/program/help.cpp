@@ -64,7 +64,7 @@ std::string sentence(const std::string& text) {
   return broken;
 }
 
-std::string exit_codes_text(const Program& program) { return sentence("Exit code: " + program.exit_codes); }
+std::string exit_codes_text(const std::string& codes) { return sentence("Exit code: " + codes); }
 
 // A paragraph, if there is one.
 std::string paragraph(const std::string& text) { return text.empty() ? "" : "\n" + text; }
@@ -91,7 +91,7 @@ std::string program_help(const Program& program) {
   }
   text += "\nCommands:\n" + commands + "`" + program.name + " COMMAND --help` explains a command and its options.\n";
   return text + paragraph(program.text) + "\nCommon options:\n" + options_text(common_options()) + "\n" +
-         exit_codes_text(program) + examples_text(examples);
+         exit_codes_text(program.exit_codes) + examples_text(examples);
 }
 
 std::string command_help(const Program& program, const Command& command) {
@@ -102,7 +102,8 @@ std::string command_help(const Program& program, const Command& command) {
   }
   const std::string title = program.name + (command.name.empty() ? "" : " " + command.name);
   return sentence(title + ": " + command.summary) + "\nUsage:\n" + usage_text(program, command) + own_text(command) +
-         paragraph(program.text) + "\nCommon options: " + common + "\n" + exit_codes_text(program) +
+         paragraph(program.text) + "\nCommon options: " + common + "\n" +
+         exit_codes_text(command.exit_codes.empty() ? program.exit_codes : command.exit_codes) +
          examples_text(command.examples);
 }
 

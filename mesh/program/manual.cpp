@@ -82,7 +82,8 @@ std::string manual_page(const Program& program) {
   for (const Command& command : program.commands) {
     if (command.name.empty()) continue;
     page += ".SS " + roff(command.name) + "\n" + roff(command.summary) + ".\n" +
-            (command.text.empty() ? "" : ".PP\n" + prose(command.text)) + options_in_roff(command.options);
+            (command.text.empty() ? "" : ".PP\n" + prose(command.text)) + options_in_roff(command.options) +
+            (command.exit_codes.empty() ? "" : ".PP\nExit status: " + roff(command.exit_codes) + ".\n");
   }
   page += ".SH COMMON OPTIONS\n" + options_in_roff(common_options()) + ".SH EXIT STATUS\n" + roff(program.exit_codes) +
           "\n.SH EXAMPLES\n.nf\n" + examples + ".fi\n.SH SEE ALSO\n";

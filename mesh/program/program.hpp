@@ -31,6 +31,7 @@ struct Command {
     std::size_t least, most;
   };
   WordCount words = {0, 0};
+  std::string exit_codes = "";          // their meaning, in one sentence, if it is not that of the program's
   std::vector<std::size_t> files = {};  // which of these words name files to read, or "-" for standard input
   // Whether run_program() calls Options::require_outputs(). If not, run() does when it can.
   bool outputs_are_known = true;

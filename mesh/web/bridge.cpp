@@ -237,7 +237,7 @@ json answer_to(State& s, const json& request) {
   if (what == "point") {
     const FaceId quad(request.at("quad"));
     if (!session.mesh().is_live(quad)) return nullptr;
-    return to_json(session.pointed_at(quad, vector("origin"), vector("direction")));
+    return to_json(session.pointed_at(quad, vector("origin"), vector("direction"), request.value("corner", false)));
   }
   if (what == "name") return session.name_of(VertexId(request.at("vertex")));
   if (what == "numbered") return session.numbered(request.at("number")).index();

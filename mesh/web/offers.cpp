@@ -121,7 +121,9 @@ Refusal Session::offer_moves(VertexId a, VertexId b) {
     offer.name = move.name;
     offer.why = words(move.refusal, move.obstacles);
     offer.help = what_helps(move.refusal, move.obstacles);
-    offer.effect = move.effect;
+    // A 3-5 pair keeps its rectangle: what changes is where it is.
+    const bool translated = move.from && move.to && extents_text(*move.from) == extents_text(*move.to);
+    offer.effect = translated ? "both vertices move by an edge, " + extents_text(*move.to) + " stays" : move.effect;
     offer.after = move.after;
     for (std::size_t i = 0; i < 2 && offer.is_legal(); ++i) {
       const VertexId v = move.after[i];

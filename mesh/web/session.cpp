@@ -1,6 +1,7 @@
 #include "mesh/web/session.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -127,7 +128,8 @@ Session::Rectangle Session::rectangle(VertexId a, VertexId b) const {
   return result;
 }
 
-Selection Session::pointed_at(FaceId quad, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+Selection Session::pointed_at(FaceId quad, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                              bool corner) const {
   constexpr double kCorner = 0.3;  // of the quad's shortest edge: nearer to a corner or an edge than that means it
   constexpr double kEdge = 0.15;
   // Where the ray meets the quad, or its plane.
@@ -149,7 +151,7 @@ Selection Session::pointed_at(FaceId quad, const Eigen::Vector3d& origin, const 
     if (shortest < 0 || length < shortest) shortest = length;
   }
   Selection selection{Selection::Kind::quad, {}, {}, quad};
-  double best = kCorner * shortest;
+  double best = corner ? std::numeric_limits<double>::infinity() : kCorner * shortest;
   for (const VertexId v : mesh_.corners(quad)) {
     const double distance = (positions_[v.slot()] - hit).norm();
     if (distance > best) continue;

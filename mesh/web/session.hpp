@@ -109,8 +109,9 @@ class Session {
     std::vector<VertexId> rim;
   };
   Rectangle rectangle(VertexId a, VertexId b) const;
-  // What a ray that hits the quad points at: a corner, an edge, or the quad itself.
-  Selection pointed_at(FaceId quad, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  // What a ray that hits the quad points at: a corner, an edge, or the quad itself; if `corner`, its nearest corner.
+  Selection pointed_at(FaceId quad, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                       bool corner = false) const;
   // Whether the elements of the selection are there.
   bool is_live(const Selection& selection) const;
 

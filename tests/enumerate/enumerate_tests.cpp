@@ -129,7 +129,7 @@ TEST_CASE("graphs are written in three formats", "[exploration]") {
   CHECK(with["edges"].size() == without["edges"].size() + 1);  // one edge joins the apex to (1,1)
   for (const auto& node : without["nodes"]) {
     for (const char* key : {"d1", "d2", "p", "faces"}) CHECK(node.contains(key));
-    CHECK(node["p"] == 0);
+    CHECK(node["p"] == 1);  // a digon has one labelling
   }
   const std::string dot = graph_dot(found, theory::Apex::without);
   CHECK(dot.find("graph G {") != std::string::npos);
@@ -139,6 +139,23 @@ TEST_CASE("graphs are written in three formats", "[exploration]") {
       graph_json(explore_all({theory::kQuad, sides({5, 4, 5, 4})}, theory::Apex::without), theory::Apex::without);
   CHECK(none["nodes"].empty());
   CHECK(none["components"] == 0);
+}
+
+TEST_CASE("a step of a 3-5 pair leads where its name says, from a segment, too", "[exploration]") {
+  // The steps by the change of (m,n), as the grid of Theorem 7.4 has them.
+  const std::map<std::pair<int, int>, std::string> names{
+      {{1, 0}, "slide_second"}, {{0, 1}, "close"}, {{-1, 0}, "slide_first"}, {{0, -1}, "open"}};
+  for (const theory::IntegerVector& s : {sides({7, 5, 4, 8}), sides({8, 5, 4, 9}), sides({7, 6, 4, 9})}) {
+    const auto graph = graph_json(explore_all({theory::kQuad, s}, theory::Apex::without), theory::Apex::without);
+    REQUIRE(graph["edges"].size() > 4);
+    for (std::size_t i = 0; i < graph["edges"].size(); ++i) {
+      const auto& from = graph["nodes"][graph["edges"][i][0].get<std::size_t>()];
+      const auto& to = graph["nodes"][graph["edges"][i][1].get<std::size_t>()];
+      CAPTURE(from.dump(), to.dump());
+      const auto change = [&](const char* key) { return to[key].get<int>() - from[key].get<int>(); };
+      CHECK(graph["steps"][i] == names.at({change("m"), change("n")}));
+    }
+  }
 }
 
 TEST_CASE("paths are shortest", "[exploration]") {

@@ -1,5 +1,7 @@
 // Graphs, tables and signatures as other programs read them: networkx, Graphviz, and our own commands once more.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -66,10 +68,20 @@ TEST_CASE("DOT has the places of the nodes, and Graphviz keeps them", "[programs
   REQUIRE(shell("requad-enumerate graph --sides 5,4,4,7 --pair 3-5 -o g.dot").code == 0);
   const std::string plain = shell("neato -n2 -Tplain g.dot").out;
   std::set<std::string> places;
+  std::vector<std::array<double, 4>> ellipses;
   for (std::size_t at = 0; (at = plain.find("\nnode ", at)) != std::string::npos; ++at) {
     std::string name, x, y;
     std::istringstream(plain.substr(at + 6)) >> name >> x >> y;
     places.insert(x + " " + y);
+    std::array<double, 4>& ellipse = ellipses.emplace_back();  // the middle, the width and the height
+    std::istringstream numbers(plain.substr(at + 6));
+    numbers >> name >> ellipse[0] >> ellipse[1] >> ellipse[2] >> ellipse[3];
+  }
+  // An edge between two nodes of a row can be seen.
+  for (const auto& a : ellipses) {
+    for (const auto& b : ellipses) {
+      if (&a != &b && a[1] == b[1]) CHECK(std::abs(a[0] - b[0]) > 1.2 * a[2]);
+    }
   }
   CHECK(places.size() == 6);  // 3 x 2, each at a place of its own
   const std::string dot = slurp(scratch() / "g.dot");

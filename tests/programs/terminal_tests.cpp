@@ -193,7 +193,8 @@ TEST_CASE("lines fit the width of the terminal", "[programs][terminal]") {
   if (tests::kSanitized) return;  // slow there, and the text is the same
   CHECK(widest_line(shell("COLUMNS=60 " + claims).out) <= 60);
   CHECK(widest_line(shell("COLUMNS=1000 " + claims).out) > 100);
-  for (const char* command : {"requad-verify --list", "requad-verify --proofs", "requad-verify --sentences"})
+  for (const char* command :
+       {"requad-verify --list", "requad-verify --proofs", "requad-verify --errata", "requad-verify --sentences"})
     CHECK(widest_line(shell(command).out) <= 80);
   CHECK(widest_line(shell("requad-edit reduce " + kExample + " -o x.obj").out) <= 80);
   CHECK(widest_line(shell("requad-edit atomic " + kExample + " 366").out) <= 80);

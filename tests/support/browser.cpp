@@ -216,6 +216,8 @@ json Browser::call(const std::string& method, const json& parameters) {
 }
 
 void Browser::open(const std::string& path, const std::string& fragment) {
+  // A page that would ask whether its edits may be lost is not heard.
+  evaluate("window.onbeforeunload = null");
   // If only the fragment changed, the page would not be loaded again.
   call("Page.navigate", {{"url", "about:blank"}});
   const json answer = call("Page.navigate", {{"url", "file://" + path + (fragment.empty() ? "" : "#" + fragment)}});
@@ -283,10 +285,37 @@ void Browser::mouse(const char* type, double x, double y, int buttons, int modif
                                     {"clickCount", moves ? 0 : 1}});
 }
 
+void Browser::touch(const char* type, const std::vector<std::array<double, 2>>& places) {
+  json points = json::array();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    points.push_back({{"x", places[i][0]}, {"y", places[i][1]}, {"id", i}});
+  call("Input.dispatchTouchEvent", {{"type", type}, {"touchPoints", points}});
+}
+
+void Browser::hold_at(double x, double y) {
+  touch("touchStart", {{x, y}});
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  touch("touchEnd", {});
+}
+
+void Browser::drag_fingers(const Fingers& from, const Fingers& to) {
+  constexpr int kMoves = 6;
+  touch("touchStart", {from.begin(), from.end()});
+  for (int i = 1; i <= kMoves; ++i) {
+    std::vector<std::array<double, 2>> now;
+    for (std::size_t finger = 0; finger < 2; ++finger) {
+      const auto at = [&](std::size_t k) { return from[finger][k] + i * (to[finger][k] - from[finger][k]) / kMoves; };
+      now.push_back({at(0), at(1)});
+    }
+    touch("touchMove", now);
+  }
+  touch("touchEnd", {});
+}
+
 void Browser::click_at(double x, double y, const std::string& modifier) {
   if (phone_) {
-    call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", {{{"x", x}, {"y", y}}}}});
-    call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", json::array()}});
+    touch("touchStart", {{x, y}});
+    touch("touchEnd", {});
     return;
   }
   const int modifiers = modifier == "Shift" ? 8 : 0;

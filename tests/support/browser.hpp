@@ -2,6 +2,7 @@
 // protocol on a pipe.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,11 @@ class Browser {
   void click(const std::string& element);
   // The same at a place of the window, in CSS pixels; with "Shift" held if that is the modifier.
   void click_at(double x, double y, const std::string& modifier = "");
+  // Taps, and keeps the finger there for more than half a second.
+  void hold_at(double x, double y);
+  // Moves two fingers together from two places to two others.
+  using Fingers = std::array<std::array<double, 2>, 2>;
+  void drag_fingers(const Fingers& from, const Fingers& to);
   // Moves the mouse there, or drags with the left button from one place to the other.
   void hover(double x, double y);
   void drag(double from_x, double from_y, double to_x, double to_y);
@@ -65,6 +71,7 @@ class Browser {
   nlohmann::json receive(double seconds);
   void note(const nlohmann::json& event);
   void mouse(const char* type, double x, double y, int buttons, int modifiers = 0);
+  void touch(const char* type, const std::vector<std::array<double, 2>>& places);
   void set_media();
 
   int to_ = -1;

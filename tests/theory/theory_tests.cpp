@@ -219,6 +219,25 @@ TEST_CASE("3-5 regions have K = M N configurations, with the labelling of Equati
   CHECK(parameter_set({kQuad, sides({5, 4, 5, 4})}).empty());
 }
 
+TEST_CASE("the labels of a region's configurations differ", "[theory]") {
+  for (const auto& [l1, l2] : {std::pair(3, 3), {5, 3}, {5, 5}, {6, 3}, {6, 5}, {7, 3}, {9, 3}, {6, 6}}) {
+    const PairType type{l1, l2};
+    std::vector<Integer> s(static_cast<std::size_t>(type.side_count()), 5);
+    int regions = 0;
+    for (int change = 0; change < 64; ++change) {
+      for (std::size_t i = 0; i < s.size(); ++i) s[i] = 5 + (i < 6 && (change >> i & 1) != 0 ? 1 : 0);
+      if (to_vector(s).sum() % 2 != 0) continue;
+      std::set<std::string> labels;
+      const std::vector<Configuration> all = parameter_set({type, to_vector(s)});
+      for (const Configuration& c : all) labels.insert(label(type, c));
+      CAPTURE(type.name(), to_vector(s).transpose());
+      CHECK(labels.size() == all.size());
+      regions += all.empty() ? 0 : 1;
+    }
+    CHECK(regions > 0);
+  }
+}
+
 TEST_CASE("non-regular digons have tau of the shorter side, and none if the difference is odd", "[theory]") {
   CHECK(exact_count({kDigon, sides({5, 9})}) == 4);
   CHECK(exact_count({kDigon, sides({9, 5})}) == 4);

@@ -5,7 +5,7 @@
 // (disk.hpp), labels traced on it (labels.hpp), what a move is (moves.hpp), and a count of all fillings (fillings.hpp).
 // certificate.hpp says what the certificate of one region shows, manifest.hpp what a folder of them shows.
 //
-// Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one cannot be read, or a limit was reached.
+// Exit code: 0 all certificates hold, 1 one does not hold, 2 one cannot be read, 3 undecided: a limit was reached.
 
 #include <iostream>
 #include <new>
@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int kHolds = 0, kDoesNotHold = 1, kUndecided = 2;
+constexpr int kHolds = 0, kDoesNotHold = 1, kBadInput = 2, kUndecided = 3;
 
 // Prints exactly one line on standard error, even if names of files contain line breaks.
 void report(std::string text) {
@@ -43,6 +43,9 @@ int check_and_print(const std::string& folder) {
   } catch (const check::Rejected& rejected) {
     report(rejected.what());
     return kDoesNotHold;
+  } catch (const check::Unreadable& unreadable) {
+    report(unreadable.what());
+    return kBadInput;
   } catch (const check::Undecided& undecided) {
     report(undecided.what());
   } catch (const std::bad_alloc&) {
@@ -56,7 +59,7 @@ int check_and_print(const std::string& folder) {
 int main(int argc, char** argv) {
   if (argc != 2) {
     report("expected one folder; see --help");
-    return kUndecided;
+    return kBadInput;
   }
   const std::string first = argv[1];
   int code = kHolds;
@@ -69,8 +72,8 @@ Usage:
 DIR is a folder that `requad-verify --certificate DIR` wrote. This program has no
 code in common with requad-verify. `requad-verify check DIR` starts it.
 
-Exit code: 0 all certificates hold, 1 one does not hold, 2 undecided: one
-cannot be read, or a limit was reached
+Exit code: 0 all certificates hold, 1 one does not hold, 2 one cannot be read,
+3 undecided: a limit was reached
 
 Examples:
   requad-verify --claim T2 --digon 3..8 --certificate proof && requad-verify-check proof
@@ -81,5 +84,5 @@ Examples:
   std::cout.flush();
   if (std::cout) return code;
   report("standard output cannot be written");
-  return kUndecided;
+  return kBadInput;
 }

@@ -22,7 +22,7 @@ struct Manifest {
 template <class Read>
 void read_file(const std::string& folder, const std::string& file, Read&& read) {
   std::ifstream in(folder + "/" + file);
-  if (!in) throw Undecided(folder + "/" + file + " cannot be read");
+  if (!in) throw Unreadable(folder + "/" + file + " cannot be read");
   Lines lines(in);
   try {
     read(lines);

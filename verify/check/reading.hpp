@@ -17,7 +17,13 @@ class Rejected : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Whether it holds cannot be said: a file cannot be read, or a limit was reached.
+// A file cannot be read.
+class Unreadable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Whether it holds cannot be said: a limit was reached, or there is nothing to check.
 class Undecided : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -41,7 +41,7 @@ using Check = std::variant<Judgement (*)(const PairStudy&), Judgement (*)(const 
                            Judgement (*)(const TripleStudy&), Judgement (*)(const Study&)>;
 
 struct Claim {
-  std::string id;     // of the claims ledger
+  std::string id;     // "T2", "N3", ...
   std::string where;  // in the paper
   std::string statement;
   std::string compares;       // the two sides of the check, for readers of the report
@@ -56,7 +56,7 @@ struct Claim {
   Judgement judge_safely(const Study& study) const;
 };
 
-// In the ledger's order.
+// Operations first, then regions, as operation_claims.cpp and region_claims.cpp list them.
 const std::vector<Claim>& claims();
 // The claim with this id, in upper or lower case; null if there is none.
 const Claim* find_claim(const std::string& id);

@@ -151,9 +151,9 @@ std::vector<Claim> region_claims() {
           .where = "proof of 7.2",
           .statement =
               "In a digon each side meets a separatrix of one vertex between two of the other: u20 < u11 < u22, with "
-              "u11 - u20 = d1 and u22 - u11 = d2. (The d1 and d2 of Equations 2 and 3. The proof names them the other "
-              "way round, which is no slip: the equations of a digon are symmetric in them.) A segment of length d: "
-              "one separatrix of each vertex, d apart.",
+              "u11 - u20 = d1 and u22 - u11 = d2, with the d1 and d2 of Equations 2 and 3. (The proof has d1 and d2 "
+              "exchanged, which the symmetric equations of a digon allow.) A segment of length d: one separatrix of "
+              "each vertex, d apart.",
           .compares = "where separatrices meet the sides, extents of R_alpha",
           .fails_if = "a side meets other separatrices, or they are not d1 and d2 apart in this order",
           .families = {regular_digon, other_digon},
@@ -225,8 +225,9 @@ std::vector<Claim> region_claims() {
       {
           .id = "N2",
           .where = "sections 1, 8",
-          .statement = "In a regular region a 3-3 or 5-5 pair merges iff its graph distance is even, and it can always "
-                       "be aligned. (In a non-regular hexagon it merges iff there is room for the merged vertex.)",
+          .statement =
+              "In a regular region a 3-3 or 5-5 pair merges iff its graph distance is even, and it can always "
+              "be aligned. (In a non-regular hexagon it merges iff the merged vertex has a configuration there.)",
           .compares = "graph distance on the mesh, what moves reach",
           .fails_if = "a pair at even distance cannot reach the merged vertex, one at odd distance can, or slides do "
                       "not align a pair of a regular region",

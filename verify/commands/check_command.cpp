@@ -29,11 +29,11 @@ program::Command check_command(const Processes& processes, const char* self) {
       .usage = {"DIR"},
       .summary = "checks certificates again, by a program that shares no code with what made them",
       .text = R"(DIR is a folder that --certificate wrote. verify/README.md says what it shows.
-Exit code 0: all certificates hold, 1: one does not, 2: one cannot be read.
 )",
       .examples = {"requad-verify --claim T2 --certificate proof && requad-verify check proof"},
       .options = {},
       .words = {1, 1},
+      .exit_codes = "0 all certificates hold, 1 one does not, 2 one cannot be read, 3 undecided: a limit was reached",
       .run =
           [&processes, self](const program::Options& options) {
             if (!processes.leads()) return static_cast<int>(program::kDone);  // one process checks

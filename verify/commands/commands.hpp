@@ -13,9 +13,10 @@ program::Command campaign_command(Processes& processes, std::string command_line
 // the name by which this program was called.
 program::Command check_command(const Processes& processes, const char* self);
 
-// --list, --proofs and --sentences: they print what is known without any check.
+// --list, --proofs, --errata and --sentences: they print what is known without a campaign.
 program::Command list_command();
 program::Command proofs_command();
+program::Command errata_command();
 program::Command sentences_command();
 
 // The claims that --claim names, each once and in their order on the command line; all if it names none. Throws

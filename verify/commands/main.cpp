@@ -35,6 +35,6 @@ int main(int argc, char** argv) {
               "0 all claims hold, 1 one fails, 2 bad arguments, 3 undecided: a claim had no instance in these ranges",
           .text = "",
           .commands = {campaign_command(processes, words), check_command(processes, argv[0]), list_command(),
-                       proofs_command(), sentences_command()},
+                       proofs_command(), errata_command(), sentences_command()},
       });
 }

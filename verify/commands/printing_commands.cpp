@@ -1,10 +1,11 @@
-// requad-verify --list, --proofs and --sentences: what is known without any check.
+// requad-verify --list, --proofs, --errata and --sentences: what is known without a campaign.
 
 #include <iostream>
 
 #include "mesh/program/layout.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/commands/commands.hpp"
+#include "verify/errata.hpp"
 #include "verify/report/report.hpp"
 #include "verify/sentences.hpp"
 
@@ -19,8 +20,16 @@ int print_claims(const Options& options) {
   for (const Claim& c : claims()) {
     text += c.id + "  " + c.statement + " [" + c.where + "]\n";
     text += "     compares: " + c.compares + "\n     fails if: " + c.fails_if + "\n";
+    text += "     checked on: " + range_text({}, c.families) + "\n     for all sizes: " +
+            (theory::proof_of(c.id) ? "proved from the side-length law (--proofs --claim " + c.id + ")" : "no proof") +
+            "\n";
   }
   program::finish(options, claims_json().dump(), text);
+  return program::kDone;
+}
+
+int print_errata(const Options& options) {
+  program::finish(options, errata_json().dump(), errata_text());
   return program::kDone;
 }
 
@@ -53,10 +62,23 @@ program::Command list_command() {
   return {
       .name = "--list",
       .usage = {""},
-      .summary = "prints the claims, with what each check compares and what makes it fail, and checks nothing",
+      .summary =
+          "prints the claims, with what each check compares, what makes it fail, the default range, and whether there "
+          "is a proof for all sizes, and checks nothing",
       .examples = {"requad-verify --list --json claims.json"},
       .options = {},
       .run = print_claims,
+  };
+}
+
+program::Command errata_command() {
+  return {
+      .name = "--errata",
+      .usage = {""},
+      .summary = "prints the slips in the paper's text, each with what is true and the smallest region that shows it",
+      .examples = {"requad-verify --errata --json errata.json"},
+      .options = {},
+      .run = print_errata,
   };
 }
 

@@ -50,9 +50,18 @@ ordered_json claims_json() {
                     {"where", c.where},
                     {"statement", c.statement},
                     {"compares", c.compares},
-                    {"fails_if", c.fails_if}});
+                    {"fails_if", c.fails_if},
+                    {"range", range_text({}, c.families)},
+                    {"proved", theory::proof_of(c.id).has_value()}});
   }
   return {{"claims", list}};
+}
+
+ordered_json errata_json() {
+  ordered_json list = ordered_json::array();
+  for (const Erratum& e : find_errata())
+    list.push_back({{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
+  return {{"errata", list}};
 }
 
 ordered_json sentences_json() {
@@ -94,11 +103,8 @@ ordered_json totals_json(const ClaimResult& c) {
 const char* verdict(const ClaimResult& c) { return c.violation ? "fails" : c.instances > 0 ? "holds" : "undecided"; }
 
 ordered_json report_json(const CampaignResult& result, const Ranges& ranges) {
-  ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}, {"errata", ordered_json::array()}};
-  for (const Erratum& e : find_errata()) {
-    json["errata"].push_back(
-        {{"where", e.where}, {"written", e.written}, {"found", e.found}, {"instance", e.instance}});
-  }
+  ordered_json json{{"claims", ordered_json::array()}, {"passed", result.passed()}};
+  json.update(errata_json());
   json.update(sentences_json());
   json["regions"] = ordered_json::array();
   for (const auto& [family, total] : result.regions) {

@@ -37,8 +37,11 @@ std::string report_text(const CampaignResult& result, const Ranges& ranges);
 std::string proof_text(const theory::Proof& proof);
 
 // Parts of the report, for the commands that print them alone.
-nlohmann::ordered_json claims_json();  // [{"id", "where", "statement", "compares", "fails_if"}, ...]
-nlohmann::ordered_json sentences_json();
+// [{"id", "where", "statement", "compares", "fails_if", "range", "proved"}, ...]: the default range, and whether there is
+// a proof for all sizes (theory/proofs/proofs.hpp).
+nlohmann::ordered_json claims_json();
+nlohmann::ordered_json errata_json();                          // {"errata": ...} as in the report
+nlohmann::ordered_json sentences_json();                       // {"sentences": ...} as in the report
 nlohmann::ordered_json totals_json(const ClaimResult& claim);  // [{"family", "regions", "checks"}, ...]
 nlohmann::ordered_json proof_json(const std::optional<theory::Proof>& proof);
 

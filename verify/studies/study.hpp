@@ -24,7 +24,7 @@ namespace requad::verify {
 
 // How configurations are found:
 //   moves    pair moves lead from one configuration to all others.
-//   search   a search lists the fillings of the boundary. It uses no theorem and no move.
+//   search   a search lists the fillings of the boundary. It uses no theorem about pairs and no move.
 //   walk     pair moves change one mesh, which visits every configuration (enumerate/walk.hpp). Of the three methods,
 //            this one reaches the largest regions.
 enum class Method { moves, search, walk };

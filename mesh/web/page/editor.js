@@ -5,6 +5,7 @@ const plural = (number, one, many = one + "s") => `${number} ${number === 1 ? on
 const styles = getComputedStyle(document.documentElement);
 const colour = (name) => styles.getPropertyValue("--" + name).trim();
 const kTint = {alpha: 1, chosen: 2, change: 3};
+const kClick = matchMedia("(pointer: coarse)").matches ? "Tap" : "Click";
 const kArrowColours = ["slide-first", "slide-second", "open", "close"];
 
 const state = {
@@ -15,9 +16,11 @@ const state = {
   offers: {list: []},
   legal: [],         // of these, those that can be made
   shown: null,       // the offer whose effect is tinted
+  tapped: null,      // the offer that was tapped once
   partners: [],      // irregular vertices by their distance from the one that was chosen
   history: [],       // {words, lines, before, after}, those undone last; what was chosen before and after some of them
   helping: false,    // clicks choose third vertices
+  saved: 0,          // so many steps were done when the edits were saved last
 };
 let library, view;
 
@@ -70,6 +73,7 @@ function takeChanges(selection, stages = [], ms = 0) {
   choose(selection);
   showFacts();
   showHistory();
+  watchLeaving();
   $("welcome").hidden = true;
 }
 
@@ -90,7 +94,7 @@ function choose(selection) {
 }
 function take(selection) {
   state.selection = selection;
-  state.shown = null;
+  state.shown = state.tapped = null;
   state.subject = null;
   state.offers = {list: [], why: "", hint: ""};
   if (selection) {
@@ -240,6 +244,14 @@ const kStages = 1200;       // and for all stages before, at most
 const kMostMoving = 20000;  // quads
 
 const kLong = 300;          // operations: an edit of more is announced before it is made
+
+// An arrow or a button was clicked, which makes the edit. By touch, the first tap shows what it would change.
+function takeUp(offer, byTouch) {
+  if (!byTouch || state.tapped === offer) return perform(offer);
+  showEffect(offer);
+  state.tapped = offer;
+  say(`${nameWords(offer)}: ${effectWords(offer)}. Tap again to do it.`);
+}
 
 function perform(offer) {
   view.finish();

@@ -2,8 +2,31 @@
 
 // --- files -----------------------------------------------------------------------------------------------------------
 
+const isUnsaved = () => state.status !== null && state.status.done !== state.saved;
+
+// While edits are not saved, the browser asks before it leaves the page.
+function watchLeaving() {
+  window.onbeforeunload = isUnsaved() ? (event) => event.preventDefault() : null;
+}
+// The edits are saved as they are now.
+function keepEdits() {
+  state.saved = state.status.done;
+  watchLeaving();
+}
+
+// The mesh that was open before, if its edits were not saved: {bytes, name, subdivided, script, steps}.
+let left = null;
+let opened = null;  // the same of the mesh that is open, without its edits
+
+function goBack() {
+  const {bytes, name, subdivided, script} = left;
+  open(bytes, name, subdivided);
+  replay(new TextEncoder().encode(script), name);
+}
+
 function open(bytes, name, subdivided = false) {
   fail("");
+  const before = isUnsaved() ? {...opened, script: library.text("script"), steps: state.status.done} : null;
   const answer = library.open(bytes, name, subdivided);
   if (answer.why) {
     fail(answer.why);
@@ -19,7 +42,12 @@ function open(bytes, name, subdivided = false) {
   }
   stopReducing();
   view.finish();
+  left = before;
+  opened = {bytes, name, subdivided};
+  $("back").hidden = left === null;
+  if (left) $("back").textContent = `Back to ${left.name} with its ${plural(left.steps, "step")}`;
   state.name = name;
+  state.saved = 0;
   state.history = [];
   state.partners = [];
   state.status = null;
@@ -60,6 +88,11 @@ const textBlob = (text) => new Blob([text], {type: "text/plain"});
 // After its # a link has, with commas between them, the name of an example, the script, compressed, and the numbers of the
 // chosen vertices: #figure-17.obj,,153+163.
 const kExamples = JSON.parse($("example-files").textContent);
+const kExampleTitles = {
+  "figure-16.obj": "a v3 that is off its corner",
+  "figure-17.obj": "four v3s that are not aligned",
+  "figure-18.obj": "a v3 on a sharp edge",
+};
 
 const through = async (bytes, stream) =>
   new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -82,7 +115,7 @@ async function makeLink() {
   } catch (error) {
     // Not every browser lets a file write to the clipboard.
   }
-  $("told").textContent = where;
+  keepEdits();
   say(where);
 }
 

@@ -1,27 +1,33 @@
 // Mouse, touch, keys and buttons.
 
-// What the pointer means at a place of the canvas.
-function pointedAt(event) {
+const isTouch = (event) => event.pointerType === "touch";
+
+// What the pointer means at a place of the canvas. `corner`: of a quad, its nearest corner.
+function pointedAt(event, corner = false) {
   if (!state.status) return null;
   const box = $("canvas").getBoundingClientRect();
-  const hit = view.pick(event.clientX - box.x, event.clientY - box.y);
+  const kFinger = 16;  // pixels
+  const hit = view.pick(event.clientX - box.x, event.clientY - box.y, isTouch(event) ? kFinger : undefined);
   if (!hit || hit.kind !== "quad") return hit;
-  const selection = library.ask("point", {quad: hit.quad, origin: hit.origin, direction: hit.direction});
+  const selection = library.ask("point", {quad: hit.quad, origin: hit.origin, direction: hit.direction, corner});
   return selection && {kind: "selection", selection};
 }
 
-function act(event) {
+// A click, or a tap; `asSecond`: what it means is the second vertex of a pair.
+function act(event, asSecond) {
   view.finish();
-  const hit = pointedAt(event);
-  if (!hit) return;
-  if (hit.kind === "arrow") {
-    perform(state.legal[hit.tag]);
+  if (!state.status) return;
+  const hit = pointedAt(event, asSecond);
+  if (!hit) {
+    if (!state.helping) chooseNothing();
+  } else if (hit.kind === "arrow") {
+    takeUp(state.legal[hit.tag], isTouch(event));
   } else if (hit.kind === "marker" && event.altKey && state.selection && state.selection.kind === "pair") {
     toggleHelper(hit.id);
   } else if (hit.kind === "marker") {
-    chooseVertex(hit.id, event.shiftKey);
+    chooseVertex(hit.id, asSecond);
   } else if (hit.selection.kind === "vertex" || state.helping) {
-    chooseVertex(hit.selection.a, event.shiftKey);
+    chooseVertex(hit.selection.a, asSecond);
   } else {
     choose(hit.selection);
     say($("subject").textContent);
@@ -30,28 +36,33 @@ function act(event) {
 
 function listenToPointer() {
   const canvas = $("canvas");
-  const kSlack = 6;  // pixels that a click may move
+  const slack = (event) => (isTouch(event) ? 12 : 6);  // pixels that a click may move
+  const kLongPress = 500;                              // milliseconds
   let pressed = null;
   canvas.addEventListener("pointerdown", (event) => {
-    pressed = event.isPrimary && event.button === 0 ? {x: event.clientX, y: event.clientY} : null;
+    pressed = event.isPrimary && event.button === 0 ? {x: event.clientX, y: event.clientY, since: event.timeStamp} : null;
   });
   canvas.addEventListener("pointerup", (event) => {
-    if (pressed && event.isPrimary && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < kSlack) act(event);
+    if (pressed && event.isPrimary && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < slack(event))
+      act(event, event.shiftKey || (isTouch(event) && event.timeStamp - pressed.since > kLongPress));
     pressed = null;
   });
   let asked = 0;
   canvas.addEventListener("pointermove", (event) => {
-    if (event.buttons || event.pointerType === "touch" || asked) return;
+    if (event.buttons || isTouch(event) || asked) return;
     asked = requestAnimationFrame(() => {
       asked = 0;
       const hit = state.status && state.legal.some((o) => o.arrows.length) ? pointedAt(event) : null;
       const offer = hit && hit.kind === "arrow" ? state.legal[hit.tag] : null;
       canvas.classList.toggle("pointing", Boolean(offer));
-      canvas.title = offer ? `${offer.name}: ${offer.effect}` : "";
+      canvas.title = offer ? `${nameWords(offer)}: ${offer.effect}` : "";
       if (offer !== state.shown) showEffect(offer);
     });
   });
   const frame = $("frame");
+  // A touch that the browser scrolls by already is not one that turns the mesh.
+  for (const type of ["touchstart", "touchmove"])
+    frame.addEventListener(type, (event) => { if (!event.cancelable) event.stopPropagation(); }, {capture: true});
   for (const type of ["dragenter", "dragover"]) {
     document.addEventListener(type, (event) => {
       event.preventDefault();
@@ -86,7 +97,7 @@ function setHelping(helping) {
   state.helping = helping;
   keepingFocus(showHelpers);
   draw();
-  say(helping ? "Click irregular vertices that may help, or enter the number of one." : $("helpers-text").textContent + ".");
+  say(helping ? `${kClick} irregular vertices that may help, or enter the number of one.` : $("helpers-text").textContent + ".");
 }
 
 const kKeys = {
@@ -136,7 +147,7 @@ function listenToButtons() {
     openFile(event.target.files[0]);
     event.target.value = "";
   });
-  for (const name of Object.keys(kExamples)) $("examples").add(new Option(name, name));
+  for (const name of Object.keys(kExamples)) $("examples").add(new Option(`${name}: ${kExampleTitles[name]}`, name));
   // Arrows and letters only pass over the examples; Enter opens the one that is shown.
   let byKey = false;
   const openExample = () => {
@@ -159,8 +170,13 @@ function listenToButtons() {
   on("undo", "click", () => goTo(state.status.done - 1));
   on("redo", "click", () => goTo(state.status.done + 1));
   const stem = () => state.name.replace(/\.[^.]*$/, "");
-  on("export-obj", "click", () => save(textBlob(library.text("obj")), stem() + "-edited.obj"));
-  on("export-script", "click", () => save(textBlob(library.text("script")), stem() + "-edits.txt"));
+  const saveEdits = (text, name) => {
+    save(textBlob(text), name);
+    keepEdits();
+  };
+  on("export-obj", "click", () => saveEdits(library.text("obj"), stem() + "-edited.obj"));
+  on("export-script", "click", () => saveEdits(library.text("script"), stem() + "-edits.txt"));
+  on("back", "click", goBack);
   on("export-png", "click", async () => save(await view.picture(), stem() + ".png"));
   on("export-link", "click", makeLink);
   on("next-vertex", "click", () => step(1));
@@ -223,6 +239,8 @@ function listenToButtons() {
   on("leave", "click", () => $("question").close());
   on("help-open", "click", () => $("help").showModal());
   on("help-close", "click", () => $("help").close());
+  on("help", "click", (event) => { if (event.target === $("help")) $("help").close(); });
+  on("until", "focus", () => $("until").select());
 }
 
 async function start() {
@@ -244,6 +262,7 @@ async function start() {
   listenToPointer();
   listenToKeys();
   listenToButtons();
+  showOffers();
   await followLink();
   window.addEventListener("hashchange", followLink);
   window.editor = {state, library, view};  // for tests

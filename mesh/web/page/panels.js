@@ -59,6 +59,9 @@ function arrowLength() {
   return lengths.length ? 0.85 * lengths.reduce((a, b) => a + b) / lengths.length : 0.1 * state.status.radius;
 }
 
+// The name that scripts and requad-edit have for it, in words.
+const nameWords = (offer) => offer.name.replaceAll("_", " ");
+
 function effectWords(offer) {
   const quads = [offer.made ? `${plural(offer.made, "quad")} made` : "", offer.deleted ? `${plural(offer.deleted, "quad")} deleted` : ""]
       .filter(Boolean).join(", ") || "no quad made or deleted";
@@ -68,7 +71,7 @@ function effectWords(offer) {
 function showOffers() {
   const note = [state.offers.why, state.offers.hint, state.offers.more ? "Looking for more …" : ""].filter(Boolean);
   $("offers-note").textContent = note.length ? note.join(". ") : !state.selection ?
-      "Choose a vertex, an edge or a quad of the mesh; shift adds a second vertex." : "";
+      `${kClick} a vertex, an edge or a quad of the mesh, or a second irregular vertex.` : "";
   $("third").hidden = !(state.offers.third >= 0);
   if (!$("third").hidden) $("third").textContent = "Choose " + library.ask("name", {vertex: state.offers.third}) + " instead";
   $("offers").replaceChildren(...state.legal.map((offer, index) => {
@@ -82,8 +85,8 @@ function showOffers() {
     button.type = "button";
     button.dataset.name = offer.name;
     if (offer.arrows.length) button.style.setProperty("--colour", arrowColour(offer));
-    button.append(part("key", index < 9 ? String(index + 1) : ""), part("name", offer.name), part("effect", effectWords(offer)));
-    button.addEventListener("click", () => perform(offer));
+    button.append(part("key", index < 9 ? String(index + 1) : ""), part("name", nameWords(offer)), part("effect", effectWords(offer)));
+    button.addEventListener("click", (event) => takeUp(offer, isTouch(event)));
     for (const event of ["pointerenter", "focus"]) button.addEventListener(event, () => showEffect(offer));
     for (const event of ["pointerleave", "blur"])
       button.addEventListener(event, () => { if (state.shown === offer) showEffect(null); });
@@ -96,7 +99,7 @@ function showOffers() {
   $("refused").querySelector("summary").textContent = `Cannot be made: ${refused.length}, and why`;
   $("refused").querySelector("ul").replaceChildren(...refused.map((offer) => {
     const item = document.createElement("li"), name = document.createElement("b"), why = document.createElement("span");
-    name.textContent = offer.name + ": ";
+    name.textContent = nameWords(offer) + ": ";
     why.textContent = offer.why + (offer.help ? ". What helps: " + offer.help + "." : "");
     why.className = "why";
     item.append(name, why);
@@ -108,8 +111,8 @@ function showHelpers() {
   const ids = helpers();
   $("helpers").hidden = ids.length === 0 && !state.helping;
   if (state.helping || (state.selection && state.selection.helpers)) $("helpers").open = true;
-  $("helpers-text").textContent = plural(ids.length, "third vertex", "third vertices") + " may help to cancel: " +
-      (state.selection && state.selection.helpers ? "your choice" : "the nearest");
+  $("helpers-text").textContent = "Third vertices that may help to cancel: " +
+      (state.selection && state.selection.helpers ? `your choice of ${ids.length}` : `the nearest ${ids.length}`);
   $("helper-list").replaceChildren(...ids.map((id) => {
     const button = document.createElement("button");
     button.type = "button";

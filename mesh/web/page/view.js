@@ -3,6 +3,7 @@
 const kQuadColours = ["back", "edge", "dark", "wrong"];
 const kMarkerColours = ["v2", "v3", "v5", "v6", "rim", "help"];
 const kPaints = ["plain", "quality", "checkerboard", "stripes"];
+const kMark = 20;    // the size of a marker in CSS pixels
 const kFloats = 28;  // of a quad: for each of its four corners position, normal and paint
 
 class View {
@@ -15,6 +16,7 @@ class View {
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
     this.controls.rotateSpeed = 0.8;
+    this.controls.screenSpacePanning = true;
     this.controls.addEventListener("change", () => this.draw());
     this.radius = 1;
     this.capacity = 0;
@@ -38,7 +40,7 @@ class View {
     this.markerMaterial = new THREE.ShaderMaterial({...kMarkerShaders, uniforms: this.markerUniforms});
     this.markerPickMaterial = new THREE.ShaderMaterial({
       ...pickShaders(kMarkerShaders, "vNumber", "0.5"),
-      uniforms: {size: {value: 30}, lift: this.markerUniforms.lift},
+      uniforms: {size: {value: kMark}, lift: this.markerUniforms.lift},
     });
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
@@ -83,7 +85,7 @@ class View {
 
   render() {
     const ratio = this.renderer.getPixelRatio();
-    this.markerUniforms.size.value = 20 * ratio;
+    this.markerUniforms.size.value = kMark * ratio;
     const size = this.renderer.getSize(new THREE.Vector2());
     for (const line of this.lines.children.concat(this.edges.children)) line.material.resolution.copy(size);
     this.sizeArrows(size.y);
@@ -233,6 +235,7 @@ class View {
     geometry.setAttribute("chosen", column(vertices.map((v) => (chosen.includes(v.id) ? 1 : helpers.includes(v.id) ? 0.5 : 0)), 1));
     this.markers.geometry.dispose();
     this.markers.geometry = geometry;
+    this.marked = new Map(vertices.map((v) => [v.id, v.at]));
     this.draw();
   }
 
@@ -411,26 +414,38 @@ class View {
   // --- pointing --------------------------------------------------------------------------------------------------------
 
   // What is at a place of the canvas, in CSS pixels: {kind: "arrow", tag}, {kind: "marker", id}, {kind: "quad", quad,
-  // origin, direction}, or null.
-  pick(x, y) {
+  // origin, direction}, or null. A marker is taken if the place is on it, or, beside all arrows, up to `reach` from its
+  // middle; of several, the one whose middle is nearest.
+  pick(x, y, reach = kMark / 2) {
     const box = this.canvas.getBoundingClientRect();
     this.camera.updateMatrixWorld();
     this.ray.setFromCamera({x: 2 * x / box.width - 1, y: 1 - 2 * y / box.height}, this.camera);
     this.arrows.updateMatrixWorld(true);  // of arrows that are not drawn yet, too
     const [arrow] = this.ray.intersectObjects(this.arrows.children, true);
+    const pixels = this.numbersRound(x, y), middle = (pixels.length / 4 - 1) / 2;
+    const numberOf = (i) => pixels[4 * i] + 256 * pixels[4 * i + 1] + 65536 * pixels[4 * i + 2];
+    const seen = new Set();
+    for (let i = 0; i < pixels.length / 4; ++i) {
+      const alpha = pixels[4 * i + 3];
+      if (alpha > 0 && alpha < 200) seen.add(numberOf(i));
+    }
+    const nearest = {id: -1, distance: Infinity};
+    for (const id of seen) {
+      const at = this.project(this.marked.get(id)), distance = Math.hypot(at.x - x, at.y - y);
+      if (distance < nearest.distance) Object.assign(nearest, {id, distance});
+    }
+    if (nearest.distance <= (arrow ? kMark / 2 : reach)) return {kind: "marker", id: nearest.id};
     if (arrow) return {kind: "arrow", tag: arrow.object.userData.tag};
-    const [red, green, blue, alpha] = this.numberAt(x, y);
-    const number = red + 256 * green + 65536 * blue;
-    if (alpha === 0) return null;
-    if (alpha < 200) return {kind: "marker", id: number};
+    if (pixels[4 * middle + 3] < 200) return null;
     const {origin, direction} = this.ray.ray;
-    return {kind: "quad", quad: number, origin: origin.toArray(), direction: direction.toArray()};
+    return {kind: "quad", quad: numberOf(middle), origin: origin.toArray(), direction: direction.toArray()};
   }
 
-  // Draws a small window round the place with numbers as colours, and reads the pixel in its middle.
-  numberAt(x, y) {
+  // Draws a small window round the place with numbers as colours, and reads its pixels, four bytes each.
+  numbersRound(x, y) {
     const box = this.canvas.getBoundingClientRect();
-    const size = this.pickWindow.width, pixel = new Uint8Array(4), before = this.renderer.getClearColor().clone();
+    const size = this.pickWindow.width, pixels = new Uint8Array(4 * size * size);
+    const before = this.renderer.getClearColor().clone();
     this.camera.setViewOffset(box.width, box.height, Math.floor(x) - (size - 1) / 2, Math.floor(y) - (size - 1) / 2, size, size);
     this.mesh.material = this.pickMaterial;
     this.markers.material = this.markerPickMaterial;
@@ -439,13 +454,13 @@ class View {
     this.renderer.setClearColor(0, 0);
     this.renderer.clear();
     this.renderer.render(this.scene, this.camera);
-    this.renderer.readRenderTargetPixels(this.pickWindow, (size - 1) / 2, (size - 1) / 2, 1, 1, pixel);
+    this.renderer.readRenderTargetPixels(this.pickWindow, 0, 0, size, size, pixels);
     this.renderer.setRenderTarget(null);
     this.renderer.setClearColor(before, 1);
     this.lines.visible = this.edges.visible = this.arrows.visible = true;
     this.mesh.material = this.material;
     this.markers.material = this.markerMaterial;
     this.camera.clearViewOffset();
-    return pixel;
+    return pixels;
   }
 }

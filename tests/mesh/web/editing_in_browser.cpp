@@ -134,6 +134,12 @@ void Editing::click_point(const std::string& point, const std::string& modifier)
   settle();
 }
 
+void Editing::hold_point(const std::string& point) {
+  const auto [x, y] = place(point);
+  browser.hold_at(x, y);
+  settle();
+}
+
 std::string Editing::at(int number) {
   return "editor.library.ask('subject', {selection: {kind: 'vertex', a: editor.library.ask('numbered', {number: " +
          std::to_string(number) + "})}}).vertices[0].at";

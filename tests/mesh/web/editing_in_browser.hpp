@@ -47,6 +47,8 @@ struct Editing {
   // Where a point of the mesh, given as JavaScript, is in the window.
   std::array<double, 2> place(const std::string& point);
   void click_point(const std::string& point, const std::string& modifier = "");
+  // The same by a finger that stays.
+  void hold_point(const std::string& point);
   // The position of a vertex, by its number in the file; as JavaScript.
   static std::string at(int number);
   // Chooses by the number field.

@@ -361,9 +361,43 @@ TEST_CASE("in a browser, the editor fits a telephone, by touch, in the light and
   REQUIRE(editing.selection()["kind"] == "pair");
   editing.check_offers();
   const json chosen = editing.selection();
-  const std::string name = editing.evaluate("editor.state.legal[0].name");
-  browser.click("document.querySelector('#offers button')");
+  const std::string name = editing.evaluate("editor.state.legal[1].name");
+  // The first tap shows what the edit would change, and the second makes it.
+  const auto tap = [&](int offer) {
+    browser.click("document.querySelector('#offers li:nth-child(" + std::to_string(offer) + ") button')");
+  };
+  for (const int offer : {2, 1, 2}) {
+    tap(offer);
+    REQUIRE(browser.wait("editor.state.shown !== null && editor.state.shown === editor.state.tapped"));
+    CHECK(editing.evaluate("editor.state.status.done") == 0);
+    CHECK(editing.evaluate("editor.view.tinted.length").get<int>() > 0);
+    CHECK(editing.text("live").find("Tap again to do it.") != std::string::npos);
+  }
+  // The mesh, what it says and Undo are in view while the list is.
+  CHECK(editing.evaluate("['frame', 'live', 'undo'].every((id) => { const box = document.getElementById(id)"
+                         ".getBoundingClientRect(); return box.top >= 0 && box.bottom <= innerHeight; })") == true);
+  tap(2);
   REQUIRE(browser.wait("editor.state.status.done === 1"));
   editing.follow(chosen, name);
+  // A finger that stays half a second chooses any vertex as the second one; beside the mesh, a tap chooses nothing.
+  editing.choose("153");
+  editing.hold_point(editing.at(140));
+  CHECK(editing.selection()["kind"] == "pair");
+  const json canvas = editing.evaluate(
+      "(() => { const b = document.getElementById('canvas').getBoundingClientRect(); return [b.x, b.y, b.bottom]; "
+      "})()");
+  const double left = canvas[0], top = canvas[1], bottom = canvas[2];
+  browser.click_at(left + 8, bottom - 8);
+  editing.settle();
+  CHECK(editing.selection().is_null());
+  // Two fingers that go down together move the mesh down by as much, and do not make it larger.
+  const auto place = [&] { return editing.place(editing.at(1)); };
+  const auto from = place(), other = editing.place(editing.at(366));
+  browser.drag_fingers({{{left + 140, top + 100}, {left + 230, top + 100}}},
+                       {{{left + 140, top + 160}, {left + 230, top + 160}}});
+  editing.settle();
+  CHECK(std::abs(place()[1] - from[1] - 60) < 12);
+  CHECK(std::abs(place()[0] - from[0]) < 6);
+  CHECK(std::abs((place()[1] - editing.place(editing.at(366))[1]) - (from[1] - other[1])) < 14);
   CHECK(browser.complaints() == std::vector<std::string>{});
 }
