@@ -85,7 +85,7 @@ TEST_CASE("DOT has the places of the nodes, and Graphviz keeps them", "[programs
   }
   CHECK(places.size() == 6);  // 3 x 2, each at a place of its own
   const std::string dot = slurp(scratch() / "g.dot");
-  CHECK(dot.find("pos=\"62.000,62.000!\"") != std::string::npos);
+  CHECK(dot.find("pos=\"124.000,124.000!\"") != std::string::npos);
   CHECK(dot.find("step=") != std::string::npos);
 }
 
