@@ -7,6 +7,7 @@
 
 #include "mesh/commands/commands.hpp"
 #include "mesh/commands/session.hpp"
+#include "mesh/editing/element_map.hpp"
 #include "mesh/geometry/diagnosis.hpp"
 #include "mesh/program/run/progress.hpp"
 
@@ -30,6 +31,8 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
     text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+  if (report.unsymmetric > 0)
+    text += "; " + counted(report.unsymmetric, "pair", "pairs") + " cannot be cancelled on both sides (--symmetry)";
   if (report.inward > 0)
     text += "; " + counted(report.inward, "pair at the boundary would", "pairs at the boundary would") +
             " make vertices inside irregular (see --boundary)";
@@ -39,6 +42,20 @@ std::string ending(const mesh::ReduceReport& report, int until) {
     text += "; " + counted(report.folded, "pair would", "pairs would") +
             " leave more quads inverted (--allow-inverted cancels them nevertheless)";
   return text;
+}
+
+// The plane that --symmetry names. Throws UsageError if the mesh is not symmetric about it.
+std::optional<mesh::Axis> symmetry(const Options& options, const Session& session) {
+  if (!options.has("symmetry")) return std::nullopt;
+  const std::string name = options.choice("symmetry", {"x", "y", "z"}, "x");
+  const mesh::Axis axis = name == "x" ? mesh::Axis::x : name == "y" ? mesh::Axis::y : mesh::Axis::z;
+  mesh::VertexId without;
+  if (!mesh::Mirror::find(session.mesh(), session.positions(), axis, &without)) {
+    throw program::UsageError("reduce: --symmetry: IN is not symmetric in " + name + ": vertex " +
+                              std::to_string(mesh::file_number(session.mesh(), without)) +
+                              " or a face at it has no image");
+  }
+  return axis;
 }
 
 int reduce(const Options& options) {
@@ -58,6 +75,7 @@ int reduce(const Options& options) {
   const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
   if (deviation >= 0) how.max_deviation = deviation * diagonal;
   how.max_quality_loss = options.number("max-quality-loss", deviation >= 0 ? 0.05 : 2, 0, 2);
+  how.symmetry = symmetry(options, session);
   const std::vector<mesh::VertexId> all = session.mesh().vertices();
   const auto is_irregular = [&](mesh::VertexId v) { return session.editor().sectors().is_irregular(v); };
   const auto count = std::count_if(all.begin(), all.end(), is_irregular);
@@ -89,6 +107,7 @@ int reduce(const Options& options) {
                        {"folded", report.folded},
                        {"worn", report.worn},
                        {"inward", report.inward},
+                       {"unsymmetric", report.unsymmetric},
                        {"minimal", report.minimal},
                        {"ended", why},
                        {"feature_edges", session.features().size()}},
@@ -112,6 +131,7 @@ is made that leaves more quads inverted. If nothing can be cancelled, OUT is IN,
 bit by bit. The order: parts of IN where the mesh is coarse are left for last.
 )",
       .examples = {"requad-edit reduce mesh/examples/figure-16.obj -o less.obj",
+                   "requad-edit reduce mesh/examples/figure-15.obj --symmetry x -o less.obj",
                    "requad-edit reduce mesh/examples/figure-17.obj --feature-angle 40 --until 8 --max-deviation 0.01 "
                    "-o less.obj"},
       .options = editing_options({
@@ -131,6 +151,10 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
           program::value("patience", "N",
                          "end when N cancellations in a row turn out to be impossible without losing the shape\n"
                          "or inverting quads (default 32; 0: try them all)"),
+          program::value("symmetry", "x|y|z",
+                         "make each cancellation on both sides of the plane through the middle of IN that has\n"
+                         "this normal, so that OUT is as symmetric as IN; a pair whose cancellation would meet\n"
+                         "its image stays"),
           allow_inverted_option(),
       }),
       .words = {1, 1},

@@ -40,7 +40,7 @@ class Reduction::Work {
 
   // A cancellation that was refused, or was made and was not acceptable. It is tried again when an edit has changed something
   // where it went or, if it was refused, nearer to its v3 than the farthest helper.
-  enum class Reason { refused, inward, folded, worn, too_far };  // ReduceReport
+  enum class Reason { refused, unsymmetric, inward, folded, worn, too_far };  // ReduceReport
   struct Failure {
     int stage;
     Reason reason;
@@ -57,7 +57,8 @@ class Reduction::Work {
 
   // What a cancellation that was made adds to the report.
   struct Made {
-    std::size_t start;  // the editor's mark before it
+    std::size_t start;   // the editor's mark before it
+    std::size_t images;  // that of the mirror
     int transports;
     int operations;
   };
@@ -68,9 +69,11 @@ class Reduction::Work {
         m_(editor.mesh()),
         options_(options),
         transport_(editor, kStates),
-        fit_(editor, options),
+        mirror_(options.symmetry ? Mirror::find(m_, *editor.positions(), *options.symmetry) : std::nullopt),
+        fit_(editor, options, mirror_ ? &*mirror_ : nullptr),
         values_(editor, options.cost == ReduceCost::curvature) {
     report_.before = report_.after = count_irregular();
+    if (mirror_) mirror_->symmetrise(editor_, m_.vertices());
   }
 
   Work(const Work&) = delete;
@@ -85,7 +88,7 @@ class Reduction::Work {
     }
     if (!goes_on() || (queue_.empty() && !progress_)) {
       count_failures();
-      return retry_refused() || widen() ? Slice::working : Slice::ended;
+      return retry_refused() || look_across() || widen() ? Slice::working : Slice::ended;
     }
     if (queue_.empty()) {
       begin_round();
@@ -102,10 +105,11 @@ class Reduction::Work {
     finish();
     keep_bound();
     report_.after = count_irregular();
-    report_.cancelled = static_cast<int>(made_.size());
+    const int sides = mirror_ ? 2 : 1;
+    report_.cancelled = sides * static_cast<int>(made_.size());
     for (const Made& made : made_) {
-      report_.transports += made.transports;
-      report_.operations += made.operations;
+      report_.transports += sides * made.transports;
+      report_.operations += sides * made.operations;
     }
     report_.lost_patience = lost_patience();
     report_.minimal = editor_.sectors().is_minimal();
@@ -117,6 +121,11 @@ class Reduction::Work {
   bool is_five(VertexId v) const { return m_.is_live(v) && editor_.sectors().exceeds(v); }
   bool is_irregular(VertexId v) const { return editor_.sectors().is_irregular(v); }
   const Positions& positions() const { return *editor_.positions(); }
+  // Whether both lie beside the plane of symmetry, if there is one, and on the same side. Cancellations that stay there
+  // seldom meet their image. In the end this no longer counts.
+  bool are_on_one_side(VertexId v, VertexId w) const {
+    return !mirror_ || across_ || mirror_->side(positions(), v) * mirror_->side(positions(), w) > 0;
+  }
 
   int count_irregular() const {
     const std::vector<VertexId> all = m_.vertices();
@@ -125,7 +134,7 @@ class Reduction::Work {
   // Everything is tried again as long as something succeeds: what was refused once may have become possible.
   void begin_round() {
     // Where nothing can be cancelled, parting would only make more irregular vertices.
-    if (!editor_.sectors().is_minimal()) part();
+    if (!editor_.sectors().is_minimal() && !mirror_) part();
     values_.remember_all();
     report_.after = values_.irregular();
     all_ = m_.vertices();
@@ -140,6 +149,18 @@ class Reduction::Work {
     retried_at_ = stage();
     progress_ = std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::refused; }) > 0;
     return progress_;
+  }
+  // In the end, lets third vertices lie anywhere, on the plane of symmetry too. Returns whether that may help.
+  bool look_across() {
+    if (!mirror_ || across_ || report_.after <= options_.until) return false;
+    across_ = true;
+    std::erase_if(failures_, [](const auto& known) {
+      return known.second.reason == Reason::refused || known.second.reason == Reason::unsymmetric;
+    });
+    estimates_.clear();
+    queue_ = {};
+    progress_ = true;
+    return true;
   }
   // In the end, lets cancellations lead further than the usual bound, if nobody asked for a bound. Returns whether that may
   // help.
@@ -158,15 +179,17 @@ class Reduction::Work {
     report_.too_far = 0;
     report_.folded = 0;
     report_.inward = 0;
+    report_.unsymmetric = 0;
     report_.worn = 0;
     report_.refusals.clear();
     for (const auto& [pair, failure] : failures_) {
       if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
-        ++(failure.reason == Reason::refused  ? report_.refusals[failure.refusal]
-           : failure.reason == Reason::inward ? report_.inward
-           : failure.reason == Reason::folded ? report_.folded
-           : failure.reason == Reason::worn   ? report_.worn
-                                              : report_.too_far);
+        ++(failure.reason == Reason::refused       ? report_.refusals[failure.refusal]
+           : failure.reason == Reason::inward      ? report_.inward
+           : failure.reason == Reason::unsymmetric ? report_.unsymmetric
+           : failure.reason == Reason::folded      ? report_.folded
+           : failure.reason == Reason::worn        ? report_.worn
+                                                   : report_.too_far);
     }
   }
   bool goes_on() const { return report_.after > options_.until && !lost_patience(); }
@@ -200,7 +223,9 @@ class Reduction::Work {
     if (options_.max_deviation < 0 || fit_.is_within_bound()) return;
     for (std::size_t step = 1; !made_.empty() && !fit_.is_within_bound(); ++step) {
       const std::size_t number = std::min((step + 3) / 4, made_.size());
-      editor_.roll_back(made_[made_.size() - number].start);
+      const Made& first = made_[made_.size() - number];
+      editor_.roll_back(first.start);
+      if (mirror_) mirror_->roll_back(first.images);
       made_.resize(made_.size() - number);
       report_.too_far += static_cast<int>(number);
     }
@@ -209,11 +234,13 @@ class Reduction::Work {
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
     if (is_three(v)) {
-      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_five(x); }))
+      for (const VertexId w :
+           nearest(editor_, around_, v, kPartners, [&](VertexId x) { return is_five(x) && are_on_one_side(v, x); }))
         add(v, w);
     }
     if (is_five(v)) {
-      for (const VertexId w : nearest(editor_, around_, v, kPartners, [this](VertexId x) { return is_three(x); }))
+      for (const VertexId w :
+           nearest(editor_, around_, v, kPartners, [&](VertexId x) { return is_three(x) && are_on_one_side(v, x); }))
         add(w, v);
     }
   }
@@ -233,17 +260,17 @@ class Reduction::Work {
     return std::all_of(where.begin(), where.end(),
                        [&](VertexId v) { return v.slot() >= changed_at_.size() || changed_at_[v.slot()] <= since; });
   }
-  void remember_failure(VertexId three, VertexId five) {
+  void remember_failure(VertexId three, VertexId five, Reason why) {
     std::vector<VertexId> where = fit_.affected().near;
     where.insert(where.end(), fit_.affected().removed.begin(), fit_.affected().removed.end());
-    failures_[{three, five}] = {stage(), reason(), std::move(where)};
-    ++failures_in_a_row_;
+    failures_[{three, five}] = {stage(), why, std::move(where)};
+    if (why != Reason::unsymmetric) ++failures_in_a_row_;
   }
 
   // Cancels the pair, with fits on the way if asked for. Leaves the mesh as it was if this is refused.
   bool make(VertexId three, VertexId five, bool fits) {
-    const auto helpers =
-        nearest(editor_, around_, three, kHelpers, [&](VertexId v) { return v != five && is_irregular(v); });
+    const auto helpers = nearest(editor_, around_, three, kHelpers,
+                                 [&](VertexId v) { return v != five && is_irregular(v) && are_on_one_side(three, v); });
     std::function<void(std::size_t)> on_the_way;
     if (fits) {
       on_the_way = [this](std::size_t mark) { fit_.fit_transport(mark); };
@@ -312,16 +339,21 @@ class Reduction::Work {
     const std::optional<Candidate> c = next_candidate();
     if (!c) return false;
     const std::size_t before = editor_.mark();
+    const std::size_t images = mirror_ ? mirror_->mark() : 0;
     if (!make(c->three, c->five, true)) return false;
-    if (!fit_made(before)) {
-      const bool worn = reason() == Reason::worn;
-      if (!worn || !may_refresh()) remember_failure(c->three, c->five);
+    const bool symmetric = !mirror_ || mirror_->follow(editor_, before);
+    if (!symmetric) fit_.look_since(before, 1);
+    if (!symmetric || !fit_made(before)) {
+      const Reason why = symmetric ? reason() : Reason::unsymmetric;
+      const bool worn = why == Reason::worn;
+      if (!worn || !may_refresh()) remember_failure(c->three, c->five, why);
       editor_.roll_back(before);
+      if (mirror_) mirror_->roll_back(images);
       if (worn && may_refresh()) refresh();
       return false;
     }
     failures_in_a_row_ = 0;
-    made_.push_back({before, last_.transports, last_.steps});
+    made_.push_back({before, images, last_.transports, last_.steps});
     for (const std::vector<VertexId>* some : {&fit_.affected().removed, &fit_.affected().changed}) {
       for (const VertexId v : *some) {
         if (v.slot() >= changed_at_.size()) changed_at_.resize(v.slot() + 1);
@@ -377,6 +409,7 @@ class Reduction::Work {
   const QuadMesh& m_;
   const ReduceOptions& options_;
   PairTransport transport_;
+  std::optional<Mirror> mirror_;
   ReductionFit fit_;
   ReductionValues values_;  // of the mesh after the last cancellation
   BreadthFirstDistances around_;
@@ -384,7 +417,8 @@ class Reduction::Work {
   std::vector<VertexId> all_;  // at the start of the round
   std::size_t queued_ = 0;     // so many of these have their candidates in the queue
   bool progress_ = true;       // something was cancelled in the round
-  bool widened_ = false;
+  bool across_ = false;        // look_across()
+  bool widened_ = false;       // widen()
   ReduceReport report_;
   std::vector<Made> made_;
   std::map<std::pair<VertexId, VertexId>, Failure> failures_;

@@ -28,9 +28,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh/editing/mirror.hpp"
 #include "mesh/irregular/complementary_operations.hpp"
 
 namespace requad::mesh {
@@ -54,6 +56,10 @@ struct ReduceOptions {
   int final_rounds = 20;  // of the fit in the end, of all that was touched
   bool fit_all = false;   // the fit in the end moves all vertices, even if nothing was cancelled
   bool allow_inverted = false;
+  // Each cancellation is made on both sides of the plane with this normal, through the middle of the bounding box. The
+  // result is symmetric (Law editing-22). Pairs whose cancellation meets its own image stay, and so do vertices of a
+  // valence beyond 3 and 5. Precondition: Mirror::find() finds one.
+  std::optional<Axis> symmetry;
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 
@@ -73,6 +79,7 @@ struct ReduceReport {
   int worn = 0;                     // cancellations refused because of max_quality_loss
   int folded = 0;                   // cancellations refused because a quad would be inverted
   int too_far = 0;                  // cancellations refused, or taken back, because of max_deviation
+  int unsymmetric = 0;              // cancellations refused because they cannot be made on both sides
 };
 
 // A reduction that can be watched and stopped. Editor and options must outlive it. Precondition: the editor has

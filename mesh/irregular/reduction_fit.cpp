@@ -4,16 +4,18 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "mesh/geometry/hausdorff_distance.hpp"
 #include "mesh/topology/id_lists.hpp"
 
 namespace requad::mesh {
 
-ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
+ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options, const Mirror* mirror)
     : editor_(editor),
       m_(editor.mesh()),
       options_(options),
+      mirror_(mirror),
       input_(m_),
       input_positions_(*editor.positions()),
       homes_(m_, input_positions_),
@@ -31,13 +33,21 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options)
 // --- fits ------------------------------------------------------------------------------------------------------------
 
 void ReductionFit::fit_transport(std::size_t mark) {
+  // The other side follows when the cancellation is complete.
+  const Mirror* mirror = std::exchange(mirror_, nullptr);
   const bool is_long = editor_.mark() - mark > kLongTransport;
   fit_since(mark, is_long ? kAfterLongTransport : kOnTheWay);
+  mirror_ = mirror;
 }
 
 void ReductionFit::fit_made(std::size_t mark) { fit_since(mark, kWhenMade); }
 
 void ReductionFit::fit_again(std::size_t mark) { fit_since(mark, kAgain); }
+
+void ReductionFit::fit(std::span<const VertexId> vertices, const FitOptions& how) {
+  editor_.fit(vertices, surface_, how);
+  if (mirror_) mirror_->symmetrise(editor_, vertices);
+}
 
 void ReductionFit::fit_since(std::size_t mark, const Reach& reach) {
   affected_ = affected_region_since(editor_, around_, mark, reach.rings + 1);
@@ -50,7 +60,7 @@ void ReductionFit::fit_affected(const Reach& reach, double quality) {
   how.joint = reach.joint;
   if (reach.joint) how.sweeps = std::min(how.sweeps, 1);  // the joint steps do the most
   how.quality = quality;
-  editor_.fit(std::span(affected_.near).first(affected_.inner), surface_, how);
+  fit(std::span(affected_.near).first(affected_.inner), how);
 }
 
 void ReductionFit::straighten() {
@@ -71,7 +81,7 @@ void ReductionFit::straighten() {
   FitOptions how = fitting_;
   how.rounds = kRounds;
   how.quality = kGoodQuads;
-  editor_.fit(near, surface_, how);
+  fit(near, how);
 }
 
 void ReductionFit::fit_in_the_end() {

@@ -9,9 +9,11 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "mesh/editing/affected_region.hpp"
+#include "mesh/editing/mirror.hpp"
 #include "mesh/geometry/correspondence.hpp"
 #include "mesh/geometry/fitting.hpp"
 #include "mesh/irregular/reduce.hpp"
@@ -20,8 +22,9 @@ namespace requad::mesh {
 
 class ReductionFit {
  public:
-  // Editor and options must outlive it. The editor keeps a correspondence as long as it lives. O(F log F).
-  ReductionFit(Editor& editor, const ReduceOptions& options);
+  // Editor, options and mirror (or null) must outlive it. The editor keeps a correspondence as long as it lives. With a
+  // mirror, all fits but those after a transport leave a symmetric mesh. O(F log F).
+  ReductionFit(Editor& editor, const ReduceOptions& options, const Mirror* mirror);
   ~ReductionFit() { editor_.keep(nullptr); }
   ReductionFit(const ReductionFit&) = delete;
   ReductionFit& operator=(const ReductionFit&) = delete;
@@ -79,6 +82,7 @@ class ReductionFit {
   const Positions& positions() const { return *editor_.positions(); }
   void fit_since(std::size_t mark, const Reach& reach);
   void fit_affected(const Reach& reach, double quality);
+  void fit(std::span<const VertexId> vertices, const FitOptions& how);
   bool fit_in_the_end(double quality, double bound);
   bool is_within(double bound) const;
   std::vector<FaceId> affected_faces() const;
@@ -87,6 +91,7 @@ class ReductionFit {
   Editor& editor_;
   const QuadMesh& m_;
   const ReduceOptions& options_;
+  const Mirror* mirror_;
   const QuadMesh input_;
   const Positions input_positions_;
   Correspondence homes_;
