@@ -1,16 +1,17 @@
 #include "mesh/irregular/reduce.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 #include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
 
 #include "mesh/irregular/reduction_fit.hpp"
+#include "mesh/irregular/reduction_memory.hpp"
 #include "mesh/irregular/reduction_values.hpp"
 
 namespace requad::mesh {
@@ -38,22 +39,7 @@ class Reduction::Work {
     }
   };
 
-  // A cancellation that was refused, or was made and was not acceptable. It is tried again when an edit has changed something
-  // where it went or, if it was refused, nearer to its v3 than the farthest helper.
-  enum class Reason { refused, unsymmetric, inward, folded, worn, too_far };  // ReduceReport
-  struct Failure {
-    int stage;
-    Reason reason;
-    std::vector<VertexId> where;
-    Refusal refusal = Refusal::none;
-  };
-
-  // What a cancellation was found to cost, at a stage, and where it looked.
-  struct Estimate {
-    int stage;
-    double cost;
-    std::vector<VertexId> where;
-  };
+  using Reason = ReductionMemory::Reason;
 
   // What a cancellation that was made adds to the report.
   struct Made {
@@ -145,19 +131,18 @@ class Reduction::Work {
   // In the end, lets all that was refused be tried again, once between two cancellations: what was in its way may have
   // been far from it. Returns whether there is anything.
   bool retry_refused() {
-    if (!goes_on() || retried_at_ == stage()) return false;
-    retried_at_ = stage();
-    progress_ = std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::refused; }) > 0;
+    if (!goes_on() || retried_at_ == memory_.stage()) return false;
+    retried_at_ = memory_.stage();
+    progress_ = memory_.forget(Reason::refused);
     return progress_;
   }
   // In the end, lets third vertices lie anywhere, on the plane of symmetry too. Returns whether that may help.
   bool look_across() {
     if (!mirror_ || across_ || report_.after <= options_.until) return false;
     across_ = true;
-    std::erase_if(failures_, [](const auto& known) {
-      return known.second.reason == Reason::refused || known.second.reason == Reason::unsymmetric;
-    });
-    estimates_.clear();
+    memory_.forget(Reason::refused);
+    memory_.forget(Reason::unsymmetric);
+    memory_.forget_costs();
     queue_ = {};
     progress_ = true;
     return true;
@@ -169,7 +154,7 @@ class Reduction::Work {
       return false;
     widened_ = true;
     fit_.lift_bound();
-    std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::too_far; });
+    memory_.forget(Reason::too_far);
     failures_in_a_row_ = 0;
     queue_ = {};
     progress_ = true;
@@ -182,8 +167,8 @@ class Reduction::Work {
     report_.unsymmetric = 0;
     report_.worn = 0;
     report_.refusals.clear();
-    for (const auto& [pair, failure] : failures_) {
-      if (is_three(pair.first) && is_five(pair.second) && would_fail(pair.first, pair.second))
+    for (const auto& [pair, failure] : memory_.failures()) {
+      if (is_three(pair.first) && is_five(pair.second) && memory_.would_fail(pair))
         ++(failure.reason == Reason::refused       ? report_.refusals[failure.refusal]
            : failure.reason == Reason::inward      ? report_.inward
            : failure.reason == Reason::unsymmetric ? report_.unsymmetric
@@ -203,7 +188,7 @@ class Reduction::Work {
     fit_.fit_made(start);
     if (options_.allow_inverted || count_inverted(m_, positions()) <= inverted) {
       report_.parted += parted;
-      failures_.clear();
+      memory_.forget_failures();
     } else {
       editor_.roll_back(start);
     }
@@ -246,24 +231,13 @@ class Reduction::Work {
   }
   void add(VertexId three, VertexId five) {
     double cost = 0;
-    if (!would_fail(three, five) && estimate(three, five, cost)) queue_.push({cost, three, five, stage()});
-  }
-  int stage() const { return static_cast<int>(made_.size()); }
-
-  // Whether the pair was tried and nothing where it went has changed since.
-  bool would_fail(VertexId three, VertexId five) const {
-    const auto known = failures_.find({three, five});
-    if (known == failures_.end()) return false;
-    return is_unchanged(known->second.where, known->second.stage);
-  }
-  bool is_unchanged(const std::vector<VertexId>& where, int since) const {
-    return std::all_of(where.begin(), where.end(),
-                       [&](VertexId v) { return v.slot() >= changed_at_.size() || changed_at_[v.slot()] <= since; });
+    if (!memory_.would_fail({three, five}) && estimate(three, five, cost))
+      queue_.push({cost, three, five, memory_.stage()});
   }
   void remember_failure(VertexId three, VertexId five, Reason why) {
     std::vector<VertexId> where = fit_.affected().near;
     where.insert(where.end(), fit_.affected().removed.begin(), fit_.affected().removed.end());
-    failures_[{three, five}] = {stage(), why, std::move(where)};
+    memory_.fails({three, five}, why, std::move(where));
     if (why != Reason::unsymmetric) ++failures_in_a_row_;
   }
 
@@ -277,7 +251,7 @@ class Reduction::Work {
     }
     last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
     if (last_.refusal == Refusal::none) return true;
-    failures_[{three, five}] = {stage(), Reason::refused, around_.met(), last_.refusal};
+    memory_.fails({three, five}, Reason::refused, around_.met(), last_.refusal);
     return false;
   }
 
@@ -285,9 +259,8 @@ class Reduction::Work {
   // samples that lose their face, a quarter each, and some of the number of operations. Where the mesh is coarse, many
   // samples lie on a face.
   bool estimate(VertexId three, VertexId five, double& cost) {
-    const auto known = estimates_.find({three, five});
-    if (known != estimates_.end() && is_unchanged(known->second.where, known->second.stage)) {
-      cost = known->second.cost;
+    if (const std::optional<double> known = memory_.cost({three, five})) {
+      cost = *known;
       return true;
     }
     ++report_.measured;
@@ -299,7 +272,7 @@ class Reduction::Work {
     } else if (made) {
       cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * last_.steps;
     }
-    if (made) estimates_[{three, five}] = {stage(), cost, around_.met()};
+    if (made) memory_.costs({three, five}, cost, around_.met());
     editor_.roll_back(before);
     return made;
   }
@@ -325,9 +298,9 @@ class Reduction::Work {
     while (!queue_.empty()) {
       Candidate c = queue_.top();
       queue_.pop();
-      if (!is_three(c.three) || !is_five(c.five) || would_fail(c.three, c.five)) continue;
-      if (c.measured_at == stage()) return c;
-      c.measured_at = stage();
+      if (!is_three(c.three) || !is_five(c.five) || memory_.would_fail({c.three, c.five})) continue;
+      if (c.measured_at == memory_.stage()) return c;
+      c.measured_at = memory_.stage();
       if (estimate(c.three, c.five, c.cost)) queue_.push(c);
     }
     return std::nullopt;
@@ -354,12 +327,7 @@ class Reduction::Work {
     }
     failures_in_a_row_ = 0;
     made_.push_back({before, images, last_.transports, last_.steps});
-    for (const std::vector<VertexId>* some : {&fit_.affected().removed, &fit_.affected().changed}) {
-      for (const VertexId v : *some) {
-        if (v.slot() >= changed_at_.size()) changed_at_.resize(v.slot() + 1);
-        changed_at_[v.slot()] = stage();
-      }
-    }
+    memory_.begin_stage(std::array{&fit_.affected().removed, &fit_.affected().changed});
     values_.remember(fit_.affected());
     report_.after = values_.irregular();
     const std::vector<VertexId> changed = fit_.affected().changed;
@@ -369,11 +337,11 @@ class Reduction::Work {
 
   // What was touched may have better quads than the fits on the way have left. So it is fitted as in the end, some
   // cancellations after the last time.
-  bool may_refresh() const { return options_.final_rounds > 0 && stage() >= refreshed_at_ + kRefresh; }
+  bool may_refresh() const { return options_.final_rounds > 0 && memory_.stage() >= refreshed_at_ + kRefresh; }
   void refresh() {
-    refreshed_at_ = stage();
+    refreshed_at_ = memory_.stage();
     finish();
-    std::erase_if(failures_, [](const auto& known) { return known.second.reason == Reason::worn; });
+    memory_.forget(Reason::worn);
     begin_round();
   }
   // Fits what was made until it is acceptable, or there seems to be no hope.
@@ -421,13 +389,11 @@ class Reduction::Work {
   bool widened_ = false;       // widen()
   ReduceReport report_;
   std::vector<Made> made_;
-  std::map<std::pair<VertexId, VertexId>, Failure> failures_;
-  std::map<std::pair<VertexId, VertexId>, Estimate> estimates_;
+  ReductionMemory memory_;
   int failures_in_a_row_ = 0;
-  int refreshed_at_ = 0;         // stage()
-  int retried_at_ = -1;          // stage()
-  std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
-  Cancellation last_;            // of make()
+  int refreshed_at_ = 0;  // ReductionMemory::stage()
+  int retried_at_ = -1;   // the same
+  Cancellation last_;     // of make()
 };
 
 Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}
