@@ -1,6 +1,7 @@
 // The editor in a browser: the page requad-editor.html, opened as a file, operated by real keys, mouse, touch and
 // dropped files: opening, choosing, editing, saving. editor_tool_browser_tests.cpp has the rest.
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -46,6 +47,53 @@ TEST_CASE("in a browser, the editor opens files in three ways and says why not",
   CHECK(browser.wait("editor.state.name === 'triangle.obj'"));
   CHECK(editing.evaluate("editor.state.status.quads") == 3);
   CHECK(browser.complaints() == std::vector<std::string>{});
+}
+
+TEST_CASE("in a browser, edits that are not saved are not lost by opening another mesh", "[editor][browser]") {
+  const auto page = editor_page();
+  if (!page) return;
+  Editing editing(*page);
+  const auto asks = [&] { return editing.evaluate("window.onbeforeunload !== null") == true; };
+  editing.open(example_mesh("figure-17"));
+  CHECK_FALSE(asks());
+  editing.choose("153 163");
+  editing.evaluate("document.getElementById('animate').checked = false");
+  editing.browser.press("1");
+  REQUIRE(editing.browser.wait("editor.state.status.done === 1"));
+  CHECK(asks());
+  const std::string edited = editing.exported("obj");
+  editing.open(example_mesh("figure-16"));
+  CHECK_FALSE(asks());
+  CHECK(editing.text("back") == "Back to figure-17.obj with its 1 step");
+  editing.press("back");
+  CHECK(editing.exported("obj") == edited);
+  CHECK(editing.evaluate("document.getElementById('back').hidden") == true);  // figure-16 had no edits
+  CHECK(asks());
+  editing.press("undo");
+  CHECK_FALSE(asks());
+  CHECK(editing.browser.complaints() == std::vector<std::string>{});
+}
+
+TEST_CASE("in a browser, of two markers that touch the one under the pointer is chosen", "[editor][browser]") {
+  const auto page = editor_page();
+  if (!page) return;
+  for (const bool phone : {false, true}) {
+    Editing editing(*page, phone ? 390 : 1280, phone ? 844 : 900, phone);
+    editing.open(example_mesh("figure-17"));
+    int beside = 0;
+    for (int turn = 0; turn < 6; ++turn) {
+      editing.evaluate("void editor.view.turn(0.1, 0.05)");
+      editing.settle();
+      for (const auto& [one, other] : {std::pair(153, 163), std::pair(163, 153)}) {
+        const auto at = editing.place(editing.at(one)), there = editing.place(editing.at(other));
+        beside += std::hypot(at[0] - there[0], at[1] - there[1]) < 20 ? 1 : 0;
+        editing.press("clear");
+        editing.click_point(editing.at(one));
+        CHECK(editing.text("subject").find("Vertex " + std::to_string(one) + " ") == 0);
+      }
+    }
+    CHECK(beside > 0);
+  }
 }
 
 TEST_CASE("in a browser, a pair is chosen by clicks, and an arrow shows and makes its move", "[editor][browser]") {
