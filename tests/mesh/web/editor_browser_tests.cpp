@@ -1,7 +1,7 @@
 // The editor in a browser: the page requad-editor.html, opened as a file, operated by real keys, mouse, touch and
 // dropped files: opening, choosing, editing, saving. editor_tool_browser_tests.cpp has the rest.
 #include <array>
-__C__
+#include <cmath>
 #include <optional>
 #include <set>
 
