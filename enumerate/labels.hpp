@@ -13,8 +13,9 @@
 namespace requad::enumerate {
 
 // The labelling that a frame gives: outward separatrix i, of length e_i, meets side i + p - 1 of the region. p is in
-// 1..k/2 for equal valences, where v1 and v2 may be exchanged, and in 1..k otherwise. Nothing if a separatrix ends elsewhere,
-// which Lemmas 7.12-7.14 exclude. `positions` is mesh::boundary_positions(region). O(d1 + d2 + sum of the e_i).
+// 1..k/2 for equal valences, where v1 and v2 may be exchanged, and in 1..k otherwise. Nothing if a separatrix ends
+// elsewhere, which Lemmas 7.12-7.14 exclude. `positions` is mesh::boundary_positions(region).
+// O(d1 + d2 + sum of the e_i).
 std::optional<theory::Configuration> labelling_of(const mesh::Region& region,
                                                   const std::vector<mesh::BoundaryPosition>& positions,
                                                   theory::PairType type, const mesh::PairFrame& frame);

@@ -15,9 +15,9 @@
 // undone at once. After every move and every refusal the walk locates the mesh again. Besides the table it keeps two
 // bytes for each configuration.
 //
-// Trust. The walk uses only one thing that a move reports: which two vertices form the pair afterwards. It relies neither on the pair's legs
-// and their lengths nor on a refused move leaving the mesh unchanged. It cannot detect a fault that leaves all
-// separatrices as predicted; in small regions the signatures detect it (verify/).
+// Trust. The walk uses only one thing that a move reports: which two vertices form the pair afterwards. It relies
+// neither on the pair's legs and their lengths nor on a refused move leaving the mesh unchanged. It cannot detect a fault
+// that leaves all separatrices as predicted; in small regions the signatures detect it (verify/).
 #pragma once
 
 #include <cstdint>

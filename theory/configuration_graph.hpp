@@ -1,8 +1,8 @@
 // The predicted configuration graph. Its nodes are configurations, its edges the steps of Theorems 7.2, 7.3 and 7.4.
 //
-// The graph is drawn on a surface: a cone over one quadrant for a digon, a cone over three quadrants for a hexagon, a rectangle
-// for a 3-5 region. So it comes as a map: each node has up to four moves in counter-clockwise order. The map gives a
-// multigraph, and it gives the faces that the dual grid needs (captions of Figures 10 and 11).
+// The graph is drawn on a surface: a cone over one quadrant for a digon, a cone over three quadrants for a hexagon, a
+// rectangle for a 3-5 region. So it comes as a map: each node has up to four moves in counter-clockwise order. The map
+// gives a multigraph, and it gives the faces that the dual grid needs (captions of Figures 10 and 11).
 //
 // theory-4  each level s = d1 + d2 of a digon is a closed cycle of s nodes, of a regular hexagon one of 3 s nodes. At
 //           s = 1 the digon's cycle is a self-loop, at s = 2 a double edge. Between levels s and s + 2 there are s + 1

@@ -25,8 +25,8 @@ nlohmann::ordered_json graph_node_link(const Exploration& found, theory::Apex ap
 // The nodes alone, as configuration_rows.hpp writes them.
 std::string graph_csv(const Exploration& found, theory::Apex apex);
 
-// d1, d2, p (theory/configurations.hpp; 1 for the merged vertex), for a 3-5 pair m and n, the number of faces, the label that the figures
-// use, and the signature.
+// d1, d2, p (theory/configurations.hpp; 1 for the merged vertex), for a 3-5 pair m and n, the number of faces, the label
+// that the figures use, and the signature.
 nlohmann::ordered_json node_json(theory::PairType type, const FoundNode& node);
 
 }  // namespace requad::enumerate

@@ -44,18 +44,19 @@ std::string ending(const mesh::ReduceReport& report, int until) {
   return text;
 }
 
-// The plane that --symmetry names. Throws UsageError if the mesh is not symmetric about it.
-std::optional<mesh::Axis> symmetry(const Options& options, const Session& session) {
+// The images about the plane that --symmetry names. Throws UsageError if the mesh is not symmetric about it.
+std::optional<mesh::Mirror> symmetry(const Options& options, const Session& session) {
   if (!options.has("symmetry")) return std::nullopt;
   const std::string name = options.choice("symmetry", {"x", "y", "z"}, "x");
   const mesh::Axis axis = name == "x" ? mesh::Axis::x : name == "y" ? mesh::Axis::y : mesh::Axis::z;
   mesh::VertexId without;
-  if (!mesh::Mirror::find(session.mesh(), session.positions(), axis, &without)) {
+  std::optional<mesh::Mirror> mirror = mesh::Mirror::find(session.mesh(), session.positions(), axis, &without);
+  if (!mirror) {
     throw program::UsageError("reduce: --symmetry: IN is not symmetric in " + name + ": vertex " +
                               std::to_string(mesh::file_number(session.mesh(), without)) +
                               " or a face at it has no image");
   }
-  return axis;
+  return mirror;
 }
 
 int reduce(const Options& options) {

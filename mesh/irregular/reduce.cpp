@@ -55,7 +55,7 @@ class Reduction::Work {
         m_(editor.mesh()),
         options_(options),
         transport_(editor, kStates),
-        mirror_(options.symmetry ? Mirror::find(m_, *editor.positions(), *options.symmetry) : std::nullopt),
+        mirror_(options.symmetry),
         fit_(editor, options, mirror_ ? &*mirror_ : nullptr),
         values_(editor, options.cost == ReduceCost::curvature) {
     report_.before = report_.after = count_irregular();

@@ -56,10 +56,10 @@ struct ReduceOptions {
   int final_rounds = 20;  // of the fit in the end, of all that was touched
   bool fit_all = false;   // the fit in the end moves all vertices, even if nothing was cancelled
   bool allow_inverted = false;
-  // Each cancellation is made on both sides of the plane with this normal, through the middle of the bounding box. The
-  // result is symmetric (Law editing-22). Pairs whose cancellation meets its own image stay, and so do vertices of a
-  // valence beyond 3 and 5. Precondition: Mirror::find() finds one.
-  std::optional<Axis> symmetry;
+  // The mesh's images. If there are any, each cancellation is made on both sides of the plane, and the result is
+  // symmetric (Law editing-22). Pairs whose cancellation meets its own image stay, and so do vertices of a valence beyond
+  // 3 and 5.
+  std::optional<Mirror> symmetry;
   std::function<void(int irregular)> progress;  // told after each cancellation
 };
 

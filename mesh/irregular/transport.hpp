@@ -24,8 +24,8 @@
 //                                     pair is then (the part of v on that hand) -> z
 //
 // Law irregular-1. A step raises the valence of u by one and lowers that of v by one: both then have the valences that
-//         they would have without the pair. It lowers the valence of the next u by one and raises that of the next v by one. It
-//         changes no other valence. For a collapse this law requires l(u) = 3.
+//         they would have without the pair. It lowers the valence of the next u by one and raises that of the next v by
+//         one. It changes no other valence. For a collapse this law requires l(u) = 3.
 // Law irregular-2. It follows that a transport over regular vertices leaves only regular vertices behind.
 //
 // On features and boundaries, a sector takes the place of a vertex (sectors.hpp). A sector is regular if it has as many

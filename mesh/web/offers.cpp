@@ -122,7 +122,7 @@ Refusal Session::offer_moves(VertexId a, VertexId b) {
     offer.why = words(move.refusal, move.obstacles);
     offer.help = what_helps(move.refusal, move.obstacles);
     // A 3-5 pair keeps its rectangle: what changes is where it is.
-    const bool translated = move.from && move.to && extents_text(*move.from) == extents_text(*move.to);
+    const bool translated = move.from && move.to && move.from->d1 == move.to->d1 && move.from->d2 == move.to->d2;
     offer.effect = translated ? "both vertices move by an edge, " + extents_text(*move.to) + " stays" : move.effect;
     offer.after = move.after;
     for (std::size_t i = 0; i < 2 && offer.is_legal(); ++i) {
