@@ -151,7 +151,7 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
                          "the whole mesh, whatever was edited"),
           program::value("patience", "N",
                          "end when N cancellations in a row turn out to be impossible without losing the shape\n"
-                         "or inverting quads (default 32; 0: try them all)"),
+                         "or inverting quads (default 32; 0: try them all, and search longer for each)"),
           program::value("symmetry", "x|y|z",
                          "make each cancellation on both sides of the plane through the middle of IN that has\n"
                          "this normal, so that OUT is as symmetric as IN; a pair whose cancellation would meet\n"

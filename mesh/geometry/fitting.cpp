@@ -44,11 +44,6 @@ IdealQuad ideal_of(const QuadCorners& c, FaceId f, const Correspondence& homes, 
   return result;
 }
 
-QuadCorners corners_of(const QuadMesh& m, const Positions& positions, FaceId f) {
-  const auto at = [&](int k) { return positions[m.origin(QuadMesh::half_edge(f, k)).slot()]; };
-  return {at(0), at(1), at(2), at(3)};
-}
-
 // The squared distance of a residual, with its derivatives by the residual; the second ones without a negative part.
 struct Distance {
   double energy;
@@ -82,7 +77,18 @@ class Fitter {
     }
     std::sort(faces_.begin(), faces_.end());
     faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
-    ideals_.resize(static_cast<std::size_t>(m_.face_capacity()));
+    unknowns_.assign(faces_.size(), {-1, -1, -1, -1});
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      first_corner_.push_back(corners_.size());
+      m_.for_each_out(vertices_[i], [&](HalfEdgeId h) {
+        const auto found = std::lower_bound(faces_.begin(), faces_.end(), QuadMesh::face(h));
+        const Corner corner{static_cast<std::size_t>(found - faces_.begin()), static_cast<std::size_t>(h.index() & 3)};
+        corners_.push_back(corner);
+        unknowns_[corner.face][corner.k] = static_cast<int>(i);
+      });
+    }
+    first_corner_.push_back(corners_.size());
+    ideals_.resize(faces_.size());
   }
 
   void run() {
@@ -98,9 +104,13 @@ class Fitter {
   }
 
  private:
-  struct Around {
-    FaceId f;
-    std::size_t k = 0;  // the vertex's corner
+  struct Corner {      // of one of the faces
+    std::size_t face;  // in faces_
+    std::size_t k;
+  };
+  struct Around {  // a vertex
+    std::size_t face;
+    std::size_t k;  // the vertex's corner
     QuadCorners corners;
   };
   struct Pulled {  // a sample whose home moves with the vertex
@@ -115,12 +125,26 @@ class Fitter {
 
   // Finds what a round needs of the surface.
   void look() {
-    for (const FaceId f : faces_) ideals_[f.slot()] = ideal_of(corners_of(m_, positions_, f), f, homes_, surface_);
-    feet_.clear();
-    for (const VertexId v : vertices_) {
-      const SurfaceIndex::Nearest nearest = surface_.nearest(positions_[v.slot()]);
-      feet_.push_back({nearest.point, homes_.surface_normal(nearest.face)});
+    for (std::size_t f = 0; f < faces_.size(); ++f) ideals_[f] = ideal_of(corners_of(f), faces_[f], homes_, surface_);
+    const bool first = feet_.empty();
+    feet_.resize(vertices_.size());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const Vector3d& at = positions_[vertices_[i].slot()];
+      const SurfaceIndex::Nearest nearest = surface_.nearest(at, first ? near_sample(i) : feet_[i].point);
+      feet_[i] = {nearest.point, homes_.surface_normal(nearest.face)};
     }
+  }
+  // A point of the surface near the vertex: the nearest of the samples at home on one of its faces, or infinity.
+  Vector3d near_sample(std::size_t i) const {
+    const Vector3d& at = positions_[vertices_[i].slot()];
+    Vector3d best = Vector3d::Constant(std::numeric_limits<double>::infinity());
+    for (std::size_t c = first_corner_[i]; c < first_corner_[i + 1] && !best.allFinite(); ++c) {
+      homes_.for_each_sample(faces_[corners_[c].face], [&](std::size_t s) {
+        const Vector3d& point = homes_.sample(s).point;
+        if ((point - at).squaredNorm() < (best - at).squaredNorm()) best = point;
+      });
+    }
+    return best;
   }
 
   double foot_weight() const { return 0.25 * homes_.mean_weight(); }
@@ -129,10 +153,14 @@ class Fitter {
     return foot_weight() * distance_energy(at - feet_[i].point, feet_[i].normal, kFootAlong, tolerance2_);
   }
 
+  QuadCorners corners_of(std::size_t face) const {
+    const auto at = [&](int k) { return positions_[m_.origin(QuadMesh::half_edge(faces_[face], k)).slot()]; };
+    return {at(0), at(1), at(2), at(3)};
+  }
   // E(f), with the ideal that was looked up.
-  double energy(FaceId f, const QuadCorners& corners) const {
-    double sum = options_.quality / 4 * shape_energy(corners, ideals_[f.slot()]);
-    homes_.for_each_sample(f, [&](std::size_t s) {
+  double energy(std::size_t face, const QuadCorners& corners) const {
+    double sum = options_.quality / 4 * shape_energy(corners, ideals_[face]);
+    homes_.for_each_sample(faces_[face], [&](std::size_t s) {
       const Correspondence::Sample& sample = homes_.sample(s);
       sum += sample.weight * distance_energy(residual(s, corners), sample.normal, sample.along, tolerance2_);
     });
@@ -149,10 +177,8 @@ class Fitter {
     const VertexId v = vertices_[i];
     Vector3d& at = positions_[v.slot()];
     around_.clear();
-    m_.for_each_out(v, [&](HalfEdgeId h) {
-      const FaceId f = QuadMesh::face(h);
-      around_.push_back({f, static_cast<std::size_t>(h.index() & 3), corners_of(m_, positions_, f)});
-    });
+    for (std::size_t c = first_corner_[i]; c < first_corner_[i + 1]; ++c)
+      around_.push_back({corners_[c].face, corners_[c].k, corners_of(corners_[c].face)});
     CornerDerivatives sums;
     const Distance off = distance(at - feet_[i].point, feet_[i].normal, kFootAlong, tolerance2_);
     sums.gradient = foot_weight() * off.gradient;
@@ -160,7 +186,7 @@ class Fitter {
     double before = foot_weight() * off.energy;
     pulled_.clear();
     for (const Around& face : around_) {
-      homes_.for_each_sample(face.f, [&](std::size_t s) {
+      homes_.for_each_sample(faces_[face.face], [&](std::size_t s) {
         const double w = homes_.home(s).weights[face.k];
         if (w == 0) return;
         const Correspondence::Sample& sample = homes_.sample(s);
@@ -172,8 +198,8 @@ class Fitter {
         sums.hessian += (sample.weight * w * w) * d.hessian;
       });
       const double factor = options_.quality / 4;
-      before += factor * shape_energy(face.corners, ideals_[face.f.slot()]);
-      add_shape(face.corners, face.k, ideals_[face.f.slot()], factor, sums);
+      before += factor * shape_energy(face.corners, ideals_[face.face]);
+      add_shape(face.corners, face.k, ideals_[face.face], factor, sums);
     }
     const Vector3d newton = -sums.hessian.ldlt().solve(sums.gradient);
     if (!newton.allFinite()) return;
@@ -187,7 +213,7 @@ class Fitter {
       }
       for (Around& face : around_) {
         face.corners[face.k] = at + step;
-        after += options_.quality / 4 * shape_energy(face.corners, ideals_[face.f.slot()]);
+        after += options_.quality / 4 * shape_energy(face.corners, ideals_[face.face]);
       }
       if (!(after < before)) continue;
       at += step;
@@ -198,10 +224,6 @@ class Fitter {
   // All vertices at once.
   void step_jointly() {
     if (vertices_.empty()) return;
-    if (unknowns_.empty()) {
-      unknowns_.assign(static_cast<std::size_t>(m_.vertex_capacity()), -1);
-      for (std::size_t i = 0; i < vertices_.size(); ++i) unknowns_[vertices_[i].slot()] = static_cast<int>(i);
-    }
     const auto size = static_cast<Eigen::Index>(3 * vertices_.size());
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
     entries_.clear();
@@ -213,7 +235,7 @@ class Fitter {
       add_block(row, row, foot_weight() * off.hessian);
     }
     double before = 0;
-    for (const FaceId f : faces_) before += add_face(f, gradient);
+    for (std::size_t f = 0; f < faces_.size(); ++f) before += add_face(f, gradient);
     for (std::size_t i = 0; i < vertices_.size(); ++i) before += foot_energy(i, positions_[vertices_[i].slot()]);
     Eigen::SparseMatrix<double> hessian(size, size);
     hessian.setFromTriplets(entries_.begin(), entries_.end());
@@ -223,27 +245,28 @@ class Fitter {
     solver_.compute(hessian);
     const Eigen::VectorXd newton = -solver_.solve(gradient);
     if (!newton.allFinite()) return;
-    const Positions from = positions_;
+    from_.clear();
+    for (const VertexId v : vertices_) from_.push_back(positions_[v.slot()]);
     double length = 1;
     for (int attempt = 0; attempt <= kMostHalvings; ++attempt, length /= 2) {
       double after = 0;
       for (std::size_t i = 0; i < vertices_.size(); ++i) {
         Vector3d& at = positions_[vertices_[i].slot()];
-        at = from[vertices_[i].slot()] + length * newton.segment<3>(static_cast<Eigen::Index>(3 * i));
+        at = from_[i] + length * newton.segment<3>(static_cast<Eigen::Index>(3 * i));
         after += foot_energy(i, at);
       }
-      for (const FaceId f : faces_) after += energy(f, corners_of(m_, positions_, f));
+      for (std::size_t f = 0; f < faces_.size(); ++f) after += energy(f, corners_of(f));
       if (after < before) return;
     }
-    positions_ = from;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) positions_[vertices_[i].slot()] = from_[i];
   }
   // Adds the derivatives of E(f), and returns E(f).
-  double add_face(FaceId f, Eigen::VectorXd& gradient) {
-    const QuadCorners corners = corners_of(m_, positions_, f);
+  double add_face(std::size_t face, Eigen::VectorXd& gradient) {
+    const QuadCorners corners = corners_of(face);
     QuadDerivatives sums;
-    add_shape(corners, ideals_[f.slot()], options_.quality / 4, sums);
-    double sum = options_.quality / 4 * shape_energy(corners, ideals_[f.slot()]);
-    homes_.for_each_sample(f, [&](std::size_t s) {
+    add_shape(corners, ideals_[face], options_.quality / 4, sums);
+    double sum = options_.quality / 4 * shape_energy(corners, ideals_[face]);
+    homes_.for_each_sample(faces_[face], [&](std::size_t s) {
       const Correspondence::Sample& sample = homes_.sample(s);
       const std::array<double, 4>& weights = homes_.home(s).weights;
       const Distance d = distance(residual(s, corners), sample.normal, sample.along, tolerance2_);
@@ -260,11 +283,11 @@ class Fitter {
       }
     });
     for (int i = 0; i < 4; ++i) {
-      const int row = unknowns_[m_.origin(QuadMesh::half_edge(f, i)).slot()];
+      const int row = unknowns_[face][static_cast<std::size_t>(i)];
       if (row < 0) continue;
       gradient.segment<3>(3 * row) += sums.gradient.segment<3>(3 * i);
       for (int k = 0; k < 4; ++k) {
-        const int column = unknowns_[m_.origin(QuadMesh::half_edge(f, k)).slot()];
+        const int column = unknowns_[face][static_cast<std::size_t>(k)];
         if (column >= 0 && column <= row) add_block(3 * row, 3 * column, sums.hessian.block<3, 3>(3 * i, 3 * k));
       }
     }
@@ -285,13 +308,16 @@ class Fitter {
   const SurfaceIndex& surface_;
   const FitOptions& options_;
   double tolerance2_ = options_.tolerance * options_.tolerance;
-  std::vector<VertexId> vertices_;  // those that may move
-  std::vector<FaceId> faces_;       // round all that were given
-  std::vector<IdealQuad> ideals_;   // by face slot
-  std::vector<Foot> feet_;          // of vertices_
-  std::vector<Around> around_;      // of one vertex
+  std::vector<VertexId> vertices_;            // those that may move
+  std::vector<FaceId> faces_;                 // round all that were given
+  std::vector<Corner> corners_;               // of all faces that lie at one of vertices_, vertex by vertex
+  std::vector<std::size_t> first_corner_;     // of each vertex, and one more
+  std::vector<std::array<int, 4>> unknowns_;  // of each face, the places of its corners in vertices_, or -1
+  std::vector<IdealQuad> ideals_;             // of faces_
+  std::vector<Foot> feet_;                    // of vertices_
+  std::vector<Around> around_;                // of one vertex
   std::vector<Pulled> pulled_;
-  std::vector<int> unknowns_;  // by vertex slot, its place in vertices_ or -1
+  std::vector<Vector3d> from_;  // positions of vertices_ before a joint step
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver_;
 };

@@ -1,7 +1,12 @@
 // How far two surfaces are apart.
 #pragma once
 
+#include <limits>
+
+#include <Eigen/Core>
+
 #include "mesh/geometry/measures.hpp"
+#include "mesh/geometry/nearest_points.hpp"
 #include "mesh/topology/quad_mesh.hpp"
 
 namespace requad::mesh {
@@ -34,5 +39,24 @@ void for_each_sample(const QuadMesh& mesh, const Positions& positions, FaceId f,
 //                 to a sample.
 // O(F density^2) queries of a SurfaceIndex. Preconditions: both meshes have a face; density >= 1.
 double hausdorff_distance(SurfaceView a, SurfaceView b, int density = kUsualDensity);
+
+// Follows points that are near one another and knows a point of a surface near the last one. So it answers most questions
+// without a query.
+class NearSurface {
+ public:
+  // The index must outlive it.
+  explicit NearSurface(const SurfaceIndex& surface) : surface_(surface) {}
+
+  double distance(const Eigen::Vector3d& p);
+  // Whether the distance of p is at most the bound.
+  bool is_within(double bound, const Eigen::Vector3d& p);
+
+ private:
+  const SurfaceIndex& surface_;
+  Eigen::Vector3d last_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+};
+
+// Whether all samples of the mesh are within the bound of the surface.
+bool is_within(SurfaceView mesh, const SurfaceIndex& surface, double bound, int density = kUsualDensity);
 
 }  // namespace requad::mesh

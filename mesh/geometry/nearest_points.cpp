@@ -24,9 +24,12 @@ BoxTree box_tree(const std::vector<Box>& boxes) {
   return {numbers.begin(), numbers.end(), boxes.begin(), boxes.end()};
 }
 
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
 struct Nearest {
-  std::size_t number = 0;
-  double squared = std::numeric_limits<double>::infinity();  // distance
+  std::size_t number = kNone;
+  double squared = kFar;  // distance
 };
 
 // Makes `best` the nearest of the objects below a node and of what it was. Of objects at the same distance the one with
@@ -52,9 +55,11 @@ void find_nearest(const BoxTree& tree, BoxTree::Index node, const Vector3d& p, c
   }
 }
 
+// Looks no farther than the bound, a squared distance; nothing may be there.
 template <class SquaredDistance>
-Nearest nearest_in(const BoxTree& tree, const Vector3d& p, const SquaredDistance& squared_distance) {
+Nearest nearest_in(const BoxTree& tree, const Vector3d& p, const SquaredDistance& squared_distance, double bound) {
   Nearest best;
+  if (bound < kFar) best.squared = bound;
   find_nearest(tree, tree.getRootIndex(), p, squared_distance, best);
   return best;
 }
@@ -114,11 +119,18 @@ SurfaceIndex::~SurfaceIndex() = default;
 SurfaceIndex::SurfaceIndex(SurfaceIndex&&) noexcept = default;
 SurfaceIndex& SurfaceIndex::operator=(SurfaceIndex&&) noexcept = default;
 
-SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p) const {
-  const auto [number, squared] = nearest_in(tree_->boxes, p, [&](std::size_t triangle) {
+SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p) const { return nearest(p, Vector3d::Constant(kFar)); }
+
+SurfaceIndex::Nearest SurfaceIndex::nearest(const Vector3d& p, const Vector3d& guess) const {
+  const auto squared_distance = [&](std::size_t triangle) {
     return (nearest_on_triangle(tree_->triangles[triangle], p) - p).squaredNorm();
-  });
-  return {nearest_on_triangle(tree_->triangles[number], p), std::sqrt(squared), tree_->faces[number / 2]};
+  };
+  // A guess that is right must not be lost by rounding.
+  const double bound = (1 + 1e-6) * (guess - p).squaredNorm() + 1e-24 * p.squaredNorm();
+  mesh::Nearest best = nearest_in(tree_->boxes, p, squared_distance, bound);
+  if (best.number == kNone) best = nearest_in(tree_->boxes, p, squared_distance, kFar);
+  return {nearest_on_triangle(tree_->triangles[best.number], p), std::sqrt(best.squared),
+          tree_->faces[best.number / 2]};
 }
 
 struct PointIndex::Tree {
@@ -137,7 +149,7 @@ PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 
 Vector3d PointIndex::nearest(const Vector3d& p) const {
   const auto squared_distance = [&](std::size_t point) { return (tree_->points[point] - p).squaredNorm(); };
-  return tree_->points[nearest_in(tree_->boxes, p, squared_distance).number];
+  return tree_->points[nearest_in(tree_->boxes, p, squared_distance, kFar).number];
 }
 
 }  // namespace requad::mesh

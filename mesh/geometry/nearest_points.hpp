@@ -29,6 +29,8 @@ class SurfaceIndex {
   // Law geometry-1. The result is exact up to rounding. If several points are nearest, it is always the same one of
   // them.
   Nearest nearest(const Eigen::Vector3d& p) const;
+  // The same, sooner if the guess is on the surface and not much farther from p than the nearest point.
+  Nearest nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& guess) const;
 
  private:
   struct Tree;

@@ -16,39 +16,81 @@ bool contains(std::span<const VertexId> list, VertexId v) {
   return std::find(list.begin(), list.end(), v) != list.end();
 }
 
-struct Route {
-  HalfEdgeId first;  // on the first edge, in the patch that the path leaves by; none if there is no path
-  int length = 0;
+// A path from one vertex to another.
+struct Path {
+  std::vector<VertexId> vertices;  // with its ends; none if there is no path
+  HalfEdgeId first;                // on the first edge, in the patch that the path leaves by
+
+  bool exists() const { return !vertices.empty(); }
+  int length() const { return static_cast<int>(vertices.size()) - 1; }
+  VertexId from() const { return vertices.front(); }
+  VertexId to() const { return vertices.back(); }
 };
 
-// A shortest path from one vertex to another over regular, free vertices. Its ends may run along a feature. It leaves
-// `from` by a sector whose excess has the given sign, and reaches `to` by a sector of the other sign.
-Route route(const Editor& editor, BreadthFirstDistances& around, VertexId from, VertexId to, int sign) {
+// The vertices over which a path may lead.
+bool is_passable(const Sectors& sectors, VertexId v) { return sectors.may_change(v) && !sectors.is_irregular(v); }
+
+// A shortest path over regular, free vertices; before its end it may touch a feature. Its ends may run along one. It
+// leaves `from` by a sector whose excess has the given sign, and reaches `to` by a sector of the other sign.
+Path shortest_path(const Editor& editor, BreadthFirstDistances& around, VertexId from, VertexId to, int sign) {
   const QuadMesh& m = editor.mesh();
   const Sectors& sectors = editor.sectors();
-  Route result;
+  Path result;
   std::vector<VertexId> last;  // vertices of the path before `to`
   std::vector<HalfEdgeId> direct;
-  const auto passable = [&](VertexId v) { return sectors.may_change(v) && !sectors.is_irregular(v); };
   sectors.for_each_edge(to, -sign, [&](VertexId x, HalfEdgeId at) {
     if (x == from) direct.push_back(at);
-    if (passable(x)) last.push_back(x);
+    if (is_passable(sectors, x)) last.push_back(x);
   });
   sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
     const bool adjacent = x == to && std::any_of(direct.begin(), direct.end(), [&](HalfEdgeId h) {
                             return h == at || (h == m.twin(at) && !sectors.is_cut(at));
                           });
-    if (adjacent) result = {at, 1};
+    if (adjacent) result = {{from, to}, at};
   });
-  if (result.first.valid()) return result;
+  if (result.exists()) return result;
   around.measure(
-      m, last, [&](VertexId v) { return v == from || passable(v); },
+      m, last, [&](VertexId v) { return v == from || is_passable(sectors, v); },
       [&](VertexId v) { return v != from && !sectors.is_fixed(v); }, [&](VertexId v, int) { return v == from; });
+  VertexId second;
   sectors.for_each_edge(from, sign, [&](VertexId x, HalfEdgeId at) {
     const int d = around.distance(x);
-    if (d >= 0 && x != from && (!result.first.valid() || d + 2 < result.length)) result = {at, d + 2};
+    if (d < 0 || x == from || (second.valid() && d >= around.distance(second))) return;
+    second = x;
+    result.first = at;
   });
+  if (!second.valid()) return result;
+  result.vertices = {from, second};
+  for (int d = around.distance(second) - 1; d >= 0; --d) {
+    const std::vector<VertexId> near = m.neighbours(result.to());
+    const auto nearer = [&](VertexId v) { return around.distance(v) == d && v != from; };
+    result.vertices.push_back(*std::find_if(near.begin(), near.end(), nearer));
+  }
+  result.vertices.push_back(to);
   return result;
+}
+
+// Whether a path leads over free vertices, with its ends, and still does so.
+bool is_open(const Editor& editor, const Path& path) {
+  const QuadMesh& m = editor.mesh();
+  const Sectors& sectors = editor.sectors();
+  for (std::size_t i = 0; i < path.vertices.size(); ++i) {
+    const VertexId v = path.vertices[i];
+    if (!m.is_live(v) || sectors.is_fixed(v)) return false;
+    if (v != path.from() && v != path.to() && sectors.is_irregular(v)) return false;
+    if (i > 0 && !m.find_half_edge(path.vertices[i - 1], v).valid()) return false;
+  }
+  return true;
+}
+
+// Of an open path: itself with its first half-edge, and the path back.
+Path starting(const QuadMesh& m, Path path) {
+  path.first = m.find_half_edge(path.vertices[0], path.vertices[1]);
+  return path;
+}
+Path reversed(const QuadMesh& m, Path path) {
+  std::reverse(path.vertices.begin(), path.vertices.end());
+  return starting(m, std::move(path));
 }
 
 // The helpers after one of them absorbed a pair: it has moved, or is regular, or has become two.
@@ -69,43 +111,54 @@ constexpr std::array<CancellationOrder, 4> kCancellationOrders{
     {{false, false}, {true, false}, {false, true}, {true, true}}};
 
 Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
-                             std::vector<VertexId> helpers, CancellationOrder order,
-                             const std::function<void(std::size_t)>& after_transport) {
+                             std::vector<VertexId> helpers, CancellationOrder order, const CancellationEffort& effort) {
   const QuadMesh& m = editor.mesh();
   Cancellation result;
   BreadthFirstDistances around;
   int transports_left = -1;
-  const auto refuse = [&result](Refusal refusal) { return Cancellation{refusal, result.obstacles, 0, 0, {}}; };
+  int positions_left = effort.positions;
+  Path path;  // from the v3 to the v5
+  const auto refuse = [&result](Refusal refusal) {
+    Cancellation refused;
+    refused.refusal = refusal;
+    refused.obstacles = result.obstacles;
+    return refused;
+  };
   for (bool adjacent = false; !adjacent;) {
-    const std::size_t mark = editor.mark();
-    const Route path = route(editor, around, three, five, -1);
+    // What is left of the last path will do, as long as nothing has come between.
+    if (!path.exists() || !is_open(editor, path)) path = shortest_path(editor, around, three, five, -1);
     // Splits on the way may make the path longer, so the number of transports is bounded.
-    if (transports_left < 0) transports_left = 3 * path.length + 8;
-    if (!path.first.valid() || transports_left-- == 0) return refuse(EditRefusal::no_path);
+    if (transports_left < 0) transports_left = static_cast<int>(effort.detours * path.length()) + 8;
+    if (!path.exists() || transports_left-- == 0 || positions_left < 0) return refuse(EditRefusal::no_path);
     if (helpers.empty()) return refuse(EditRefusal::lone_pair);
-    adjacent = path.length == 1;
+    adjacent = path.length() == 1;
     // The v3 takes the path's first edge, or the v5 its last one.
     TransportReport report;
     report.refusal = EditRefusal::no_path;
     for (const bool five_walks : {order.five_walks, !order.five_walks}) {
-      const HalfEdgeId edge = five_walks && !adjacent ? route(editor, around, five, three, 1).first : path.first;
-      if (!edge.valid()) continue;
+      const bool back = five_walks && !adjacent;
+      Path way = path;
+      if (back) way = is_open(editor, path) ? reversed(m, path) : shortest_path(editor, around, five, three, 1);
+      if (!way.exists()) continue;
       // The adjacent pair runs from the v3, or from where the v5 goes.
-      const bool from_origin = (m.origin(edge) == three) || (five_walks && m.origin(edge) != five);
-      const AdjacentPair start{edge, !from_origin};
+      const bool from_origin = (m.origin(way.first) == three) || (five_walks && m.origin(way.first) != five);
+      const AdjacentPair start{way.first, !from_origin};
       if (!five_walks && editor.sectors().excess(start.at_u()) != -1) continue;
       const VertexId next = five_walks ? start.u(m) : start.v(m);
       report = transport.carry(start, helpers, order.may_cross);
       result.obstacles |= report.obstacles;
+      positions_left -= static_cast<int>(report.states);
       if (report.refusal != Refusal::none) continue;
       (five_walks ? five : three) = next;
+      way.vertices.erase(way.vertices.begin());
+      path = adjacent || !is_open(editor, way) ? Path() : back ? reversed(m, way) : starting(m, way);
       break;
     }
     if (report.refusal != Refusal::none) return refuse(report.refusal);
     ++result.transports;
     result.steps += report.steps;
     update_helpers(editor, report, helpers);
-    if (after_transport) after_transport(mark);
+    result.ends.push_back(static_cast<std::size_t>(result.steps));
   }
   result.helpers = std::move(helpers);
   return result;
@@ -121,7 +174,8 @@ std::vector<VertexId> usual_helpers(const Editor& editor, BreadthFirstDistances&
 
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers,
-                         const std::function<void(std::size_t mark)>& after_transport) {
+                         const std::function<void(std::size_t mark)>& after_transport,
+                         const CancellationEffort& effort) {
   const Sectors& sectors = editor.sectors();
   Cancellation result;
   if (!sectors.lacks(three) || !sectors.exceeds(five)) {
@@ -133,17 +187,28 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
   } else {
     const std::size_t start = editor.mark();
     for (const CancellationOrder order : kCancellationOrders) {
-      result = cancel_in_order(editor, transport, three, five, helpers, order, {});
-      const bool made = result.refusal == Refusal::none;
-      if (made && !after_transport) break;
+      result = cancel_in_order(editor, transport, three, five, helpers, order, effort);
+      if (result.refusal == Refusal::none) break;
       editor.roll_back(start);
-      if (!made) continue;
-      // The caller may take its time over each transport, so it is shown only those of an order that gets through.
-      result = cancel_in_order(editor, transport, three, five, helpers, order, after_transport);
-      break;
+    }
+    if (result.refusal != Refusal::none) return result;
+    for (std::size_t i = start; i < editor.mark(); ++i) result.operations.push_back(editor.edits()[i].operation);
+    // The caller may take its time over each transport, so it is shown those that get through only.
+    if (after_transport) {
+      editor.roll_back(start);
+      repeat(editor, result, after_transport);
     }
   }
   return result;
+}
+
+void repeat(Editor& editor, const Cancellation& made, const std::function<void(std::size_t mark)>& after_transport) {
+  std::size_t done = 0;
+  for (const std::size_t end : made.ends) {
+    const std::size_t mark = editor.mark();
+    for (; done < end; ++done) editor.run(made.operations[done]);
+    after_transport(mark);
+  }
 }
 
 // --- merging and aligning --------------------------------------------------------------------------------------------

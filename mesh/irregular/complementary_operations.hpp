@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "mesh/irregular/pair_moves.hpp"
@@ -22,6 +23,14 @@ struct Cancellation {
   int transports = 0;
   int steps = 0;                  // basic operations
   std::vector<VertexId> helpers;  // where the helpers are now that are still irregular
+  std::vector<BasicOperation> operations;
+  std::vector<std::size_t> ends;  // of each transport, the number of operations up to its last one
+};
+
+// How long a cancellation is looked for, in each of the orders that it tries.
+struct CancellationEffort {
+  int positions = std::numeric_limits<int>::max();  // that its transports may visit together; it ends soon after these
+  double detours = 3;  // transports for each edge of the shortest path, beside eight that are always allowed
 };
 
 // Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 moves to the v5 along a
@@ -32,13 +41,17 @@ struct Cancellation {
 // A fixed vertex counts as a v3 or v5 by the excess of one of its sectors (sectors.hpp).
 //
 // Refusals: wrong_valences; index if both irregularities have one sign, which cannot cancel each other; lone_pair
-// without helpers; no_path if the v3 cannot reach the v5 or no helper can be reached. Costs as many transports as the
-// distance of the pair.
+// without helpers; no_path if the v3 cannot reach the v5 or no helper can be reached with this effort. Costs as many
+// transports as the distance of the pair.
 // `after_transport(mark)` is called after each transport, which did what the editor did since the mark. It may move
 // vertices.
 Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId three, VertexId five,
                          const std::vector<VertexId>& helpers,
-                         const std::function<void(std::size_t mark)>& after_transport = {});
+                         const std::function<void(std::size_t mark)>& after_transport = {},
+                         const CancellationEffort& effort = {});
+
+// Makes a cancellation again that was rolled back. Precondition: the mesh has the ids that it had before it.
+void repeat(Editor& editor, const Cancellation& made, const std::function<void(std::size_t mark)>& after_transport);
 
 // The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only
 // at vertices that may change, no further than it must, and not beyond fixed ones.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -18,12 +19,22 @@ namespace requad::mesh {
 
 namespace {
 
-constexpr int kPartners = 3;       // candidates looked for at each vertex
-constexpr int kHelpers = 8;        // third vertices offered to a cancellation
-constexpr int kStates = 1000;      // positions that a transport may visit; a longer search costs more than it finds
-constexpr int kRescues = 4;        // fits with more effort of a cancellation that is not acceptable
-constexpr int kRefresh = 4;        // cancellations between two fits of all that was touched
-constexpr double kHopeless = 1.5;  // how_far_from_acceptable(): beyond it no fit with more effort helps
+constexpr int kPartners = 3;  // candidates looked for at each vertex
+constexpr int kHelpers = 8;   // third vertices offered to a cancellation
+// How long a cancellation is looked for, and in the end, if no more than so many pairs are left.
+constexpr int kPositions = 200;  // that a transport may visit
+constexpr CancellationEffort kEffort{1000, 1.5};
+constexpr int kThoroughPositions = 1000;
+constexpr std::size_t kFew = 64;
+constexpr std::size_t kSeldom = 16;  // edits between two fits on the way
+constexpr std::size_t kOften = 4;    // the same, if it is looked for thoroughly
+// Fits with more effort of a cancellation that is not acceptable: usually, and where it is looked for thoroughly.
+constexpr int kRescues = 2;
+constexpr int kThoroughRescues = 4;
+constexpr int kRefresh = 4;  // cancellations between two fits of all that was touched
+// how_far_from_acceptable(): beyond it no fit helps, neither for good quads nor with more effort.
+constexpr double kHopeless = 1.5;
+constexpr double kHopelessStraightened = 0.7;
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 
 }  // namespace
@@ -54,7 +65,9 @@ class Reduction::Work {
       : editor_(editor),
         m_(editor.mesh()),
         options_(options),
-        transport_(editor, kStates),
+        quick_transport_(editor, kPositions),
+        thorough_transport_(editor, kThoroughPositions),
+        thorough_(options.patience == 0),
         mirror_(options.symmetry),
         fit_(editor, options, mirror_ ? &*mirror_ : nullptr),
         values_(editor, options.cost == ReduceCost::curvature) {
@@ -74,7 +87,7 @@ class Reduction::Work {
     }
     if (!goes_on() || (queue_.empty() && !progress_)) {
       count_failures();
-      return retry_refused() || look_across() || widen() ? Slice::working : Slice::ended;
+      return retry_refused() || look_across() || look_thoroughly() || widen() ? Slice::working : Slice::ended;
     }
     if (queue_.empty()) {
       begin_round();
@@ -119,6 +132,7 @@ class Reduction::Work {
   }
   // Everything is tried again as long as something succeeds: what was refused once may have become possible.
   void begin_round() {
+    memory_.forget_plans();
     // Where nothing can be cancelled, parting would only make more irregular vertices.
     if (!editor_.sectors().is_minimal() && !mirror_) part();
     values_.remember_all();
@@ -147,6 +161,19 @@ class Reduction::Work {
     progress_ = true;
     return true;
   }
+  // In the end, looks longer for the cancellations of the pairs that are left. Returns whether that may help.
+  bool look_thoroughly() {
+    const std::size_t left =
+        static_cast<std::size_t>(report_.folded) +
+        std::accumulate(report_.refusals.begin(), report_.refusals.end(), std::size_t{0},
+                        [](std::size_t sum, const auto& some) { return sum + static_cast<std::size_t>(some.second); });
+    if (thorough_ || !goes_on() || left == 0 || left > kFew) return false;
+    thorough_ = true;
+    memory_.forget(Reason::refused);
+    memory_.forget(Reason::folded);
+    progress_ = true;
+    return true;
+  }
   // In the end, lets cancellations lead further than the usual bound, if nobody asked for a bound. Returns whether that may
   // help.
   bool widen() {
@@ -155,7 +182,7 @@ class Reduction::Work {
     widened_ = true;
     fit_.lift_bound();
     memory_.forget(Reason::too_far);
-    failures_in_a_row_ = 0;
+    failures_in_a_row_ = std::max(0, options_.patience - report_.too_far);  // only for these
     queue_ = {};
     progress_ = true;
     return true;
@@ -241,18 +268,35 @@ class Reduction::Work {
     if (why != Reason::unsymmetric) ++failures_in_a_row_;
   }
 
-  // Cancels the pair, with fits on the way if asked for. Leaves the mesh as it was if this is refused.
-  bool make(VertexId three, VertexId five, bool fits) {
+  // Cancels the pair. Leaves the mesh as it was if this is refused.
+  bool make(VertexId three, VertexId five) {
     const auto helpers = nearest(editor_, around_, three, kHelpers,
                                  [&](VertexId v) { return v != five && is_irregular(v) && are_on_one_side(three, v); });
-    std::function<void(std::size_t)> on_the_way;
-    if (fits) {
-      on_the_way = [this](std::size_t mark) { fit_.fit_transport(mark); };
+    PairTransport& transport = thorough_ ? thorough_transport_ : quick_transport_;
+    Cancellation made =
+        cancel_pair(editor_, transport, three, five, helpers, {}, thorough_ ? CancellationEffort() : kEffort);
+    if (made.refusal == Refusal::none) {
+      memory_.plans({three, five}, std::move(made));
+      return true;
     }
-    last_ = cancel_pair(editor_, transport_, three, five, helpers, on_the_way);
-    if (last_.refusal == Refusal::none) return true;
-    memory_.fails({three, five}, Reason::refused, around_.met(), last_.refusal);
+    memory_.fails({three, five}, Reason::refused, around_.met(), made.refusal);
     return false;
+  }
+  // The same with fits on the way. Null if it is refused.
+  const Cancellation* make_fitted(VertexId three, VertexId five) {
+    const std::size_t start = editor_.mark();
+    if (memory_.plan({three, five}) == nullptr) {
+      if (!make(three, five)) return nullptr;
+      editor_.roll_back(start);
+    }
+    const Cancellation* plan = memory_.plan({three, five});
+    std::size_t fitted = start;
+    repeat(editor_, *plan, [&](std::size_t) {
+      if (editor_.mark() - fitted < (is_careful() ? kOften : kSeldom)) return;
+      fit_.fit_on_the_way(fitted);
+      fitted = editor_.mark();
+    });
+    return plan;
   }
 
   // What a cancellation seems to cost. Nothing is fitted for it, so this is quick: the paper's cost, or the number of
@@ -265,34 +309,41 @@ class Reduction::Work {
     }
     ++report_.measured;
     const std::size_t before = editor_.mark();
-    const bool made = make(three, five, false);
+    const bool made = make(three, five);
     if (made && options_.cost == ReduceCost::curvature) {
       fit_.look_since(before, 1);
-      cost = change().curvature;
+      cost = values_.change(fit_.affected()).curvature;
     } else if (made) {
-      cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * last_.steps;
+      cost = static_cast<double>(fit_.carry()) / 4 + kOperationCost * memory_.plan({three, five})->steps;
     }
     if (made) memory_.costs({three, five}, cost, around_.met());
     editor_.roll_back(before);
     return made;
   }
 
-  ReductionValue change() const { return values_.change(fit_.affected()); }
-
-  // Whether the affected region is as good as it must be.
-  bool is_acceptable() const { return !leads_inward() && !is_inverted_more() && !is_worn() && !fit_.is_too_far(); }
+  // Whether the affected region is as good as it must be. If not, reason_ says why.
+  bool is_acceptable() {
+    const ReductionValue change = values_.change(fit_.affected());
+    inverted_ = options_.allow_inverted ? 0 : std::max(0, change.inverted) / 4;
+    if (change.inside > 0) {
+      reason_ = Reason::inward;
+    } else if (is_worn(change)) {
+      reason_ = Reason::worn;
+    } else if (!options_.allow_inverted && change.inverted > 0) {
+      reason_ = Reason::folded;
+    } else if (fit_.is_too_far()) {
+      reason_ = Reason::too_far;
+    } else {
+      return true;
+    }
+    return false;
+  }
   // Whether the mean quality of all faces falls too low.
-  bool is_worn() const {
+  bool is_worn(const ReductionValue& change) const {
     if (options_.max_quality_loss < 0) return false;
-    const double now = values_.mean_quality_after(change());
+    const double now = values_.mean_quality_after(change);
     return now < values_.mean_quality() && now < fit_.input_quality() - options_.max_quality_loss;
   }
-  bool leads_inward() const { return change().inside > 0; }
-  Reason reason() const {
-    if (leads_inward()) return Reason::inward;
-    return is_inverted_more() ? Reason::folded : is_worn() ? Reason::worn : Reason::too_far;
-  }
-  bool is_inverted_more() const { return !options_.allow_inverted && change().inverted > 0; }
   // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
   std::optional<Candidate> next_candidate() {
     while (!queue_.empty()) {
@@ -313,11 +364,12 @@ class Reduction::Work {
     if (!c) return false;
     const std::size_t before = editor_.mark();
     const std::size_t images = mirror_ ? mirror_->mark() : 0;
-    if (!make(c->three, c->five, true)) return false;
+    const Cancellation* made = make_fitted(c->three, c->five);
+    if (made == nullptr) return false;
     const bool symmetric = !mirror_ || mirror_->follow(editor_, before);
     if (!symmetric) fit_.look_since(before, 1);
     if (!symmetric || !fit_made(before)) {
-      const Reason why = symmetric ? reason() : Reason::unsymmetric;
+      const Reason why = symmetric ? reason_ : Reason::unsymmetric;
       const bool worn = why == Reason::worn;
       if (!worn || !may_refresh()) remember_failure(c->three, c->five, why);
       editor_.roll_back(before);
@@ -326,7 +378,7 @@ class Reduction::Work {
       return false;
     }
     failures_in_a_row_ = 0;
-    made_.push_back({before, images, last_.transports, last_.steps});
+    made_.push_back({before, images, made->transports, made->steps});
     memory_.begin_stage(std::array{&fit_.affected().removed, &fit_.affected().changed});
     values_.remember(fit_.affected());
     report_.after = values_.irregular();
@@ -344,16 +396,21 @@ class Reduction::Work {
     memory_.forget(Reason::worn);
     begin_round();
   }
+  // Whether fits take more time: where a bound was asked for, or the search is thorough.
+  bool is_careful() const { return thorough_ || options_.max_deviation >= 0; }
   // Fits what was made until it is acceptable, or there seems to be no hope.
   bool fit_made(std::size_t before) {
     fit_.fit_made(before);
-    if (leads_inward() || is_worn()) return false;
-    if (is_acceptable() || is_acceptable_straightened()) return true;
-    if (options_.sweeps == 0) return false;
+    if (is_acceptable()) return true;
+    if (reason_ == Reason::inward || reason_ == Reason::worn || options_.sweeps == 0) return false;
+    if (how_far_from_acceptable() > kHopeless) return false;
+    if (is_acceptable_straightened()) return true;
     double trouble = std::numeric_limits<double>::infinity();
-    for (int part = 0; part < kRescues; ++part) {
+    const int rescues = is_careful() ? kThoroughRescues : kRescues;
+    const double hopeless = is_careful() ? kHopeless : kHopelessStraightened;
+    for (int rescue = 0; rescue < rescues; ++rescue) {
       const double left = how_far_from_acceptable();
-      if (left > kHopeless || left > 0.95 * trouble) break;
+      if (left > hopeless || left > 0.95 * trouble) break;
       trouble = left;
       fit_.fit_again(before);
       if (is_acceptable() || is_acceptable_straightened()) return true;
@@ -361,22 +418,23 @@ class Reduction::Work {
     return false;
   }
   bool is_acceptable_straightened() {
-    if (!is_inverted_more() || options_.sweeps == 0) return false;
+    if (reason_ != Reason::folded) return false;
     fit_.straighten();
     return is_acceptable();
   }
   // Too large a deviation, by how many bounds, and a tenth for each quad that is inverted.
   double how_far_from_acceptable() const {
-    const double inverted = options_.allow_inverted ? 0 : std::max(0, change().inverted) / 4;
     const double bound = fit_.bound();
     const double far = bound > 0 && std::isfinite(bound) ? std::max(0.0, fit_.deviation() / bound - 0.9) : 0;
-    return far + inverted / 10;
+    return far + inverted_ / 10.0;
   }
 
   Editor& editor_;
   const QuadMesh& m_;
   const ReduceOptions& options_;
-  PairTransport transport_;
+  PairTransport quick_transport_;
+  PairTransport thorough_transport_;
+  bool thorough_;  // look_thoroughly()
   std::optional<Mirror> mirror_;
   ReductionFit fit_;
   ReductionValues values_;  // of the mesh after the last cancellation
@@ -391,9 +449,10 @@ class Reduction::Work {
   std::vector<Made> made_;
   ReductionMemory memory_;
   int failures_in_a_row_ = 0;
-  int refreshed_at_ = 0;  // ReductionMemory::stage()
-  int retried_at_ = -1;   // the same
-  Cancellation last_;     // of make()
+  int refreshed_at_ = 0;             // ReductionMemory::stage()
+  int retried_at_ = -1;              // the same
+  Reason reason_ = Reason::refused;  // of is_acceptable(), if it was not
+  int inverted_ = 0;                 // faces, in the affected region, beside those before
 };
 
 Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}

@@ -32,41 +32,45 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options, const M
 
 // --- fits ------------------------------------------------------------------------------------------------------------
 
-void ReductionFit::fit_transport(std::size_t mark) {
+void ReductionFit::fit_on_the_way(std::size_t mark) {
   // The other side follows when the cancellation is complete.
   const Mirror* mirror = std::exchange(mirror_, nullptr);
-  const bool is_long = editor_.mark() - mark > kLongTransport;
-  fit_since(mark, is_long ? kAfterLongTransport : kOnTheWay);
+  fit_since(mark, kOnTheWay);
   mirror_ = mirror;
 }
 
 void ReductionFit::fit_made(std::size_t mark) { fit_since(mark, kWhenMade); }
 
-void ReductionFit::fit_again(std::size_t mark) { fit_since(mark, kAgain); }
+void ReductionFit::fit_again(std::size_t mark) {
+  affected_ = affected_region_since(editor_, around_, mark, kAgain.rings + 1);
+  const std::vector<VertexId> near = near_inverted(kAgain.rings);
+  fit_reached(near.empty() ? inner() : near, kAgain, kQualityWeight);
+}
 
 void ReductionFit::fit(std::span<const VertexId> vertices, const FitOptions& how) {
   editor_.fit(vertices, surface_, how);
   if (mirror_) mirror_->symmetrise(editor_, vertices);
 }
 
+std::span<const VertexId> ReductionFit::inner() const { return std::span(affected_.near).first(affected_.inner); }
+
 void ReductionFit::fit_since(std::size_t mark, const Reach& reach) {
   affected_ = affected_region_since(editor_, around_, mark, reach.rings + 1);
-  if (options_.sweeps > 0) fit_affected(reach, kQualityWeight);
+  if (options_.sweeps > 0) fit_reached(inner(), reach, kQualityWeight);
 }
 
-void ReductionFit::fit_affected(const Reach& reach, double quality) {
+void ReductionFit::fit_reached(std::span<const VertexId> vertices, const Reach& reach, double quality) {
   FitOptions how = fitting_;
   how.rounds = reach.rounds;
   how.joint = reach.joint;
   if (reach.joint) how.sweeps = std::min(how.sweeps, 1);  // the joint steps do the most
   how.quality = quality;
-  fit(std::span(affected_.near).first(affected_.inner), how);
+  fit(vertices, how);
 }
 
-void ReductionFit::straighten() {
-  constexpr int kRings = 3, kRounds = 5;
-  std::vector<VertexId> inside(affected_.near.begin(),
-                               affected_.near.begin() + static_cast<std::ptrdiff_t>(affected_.inner));
+// The inner vertices of the region within some rings of its inverted quads.
+std::vector<VertexId> ReductionFit::near_inverted(int rings) {
+  std::vector<VertexId> inside(inner().begin(), inner().end());
   std::sort(inside.begin(), inside.end());
   std::vector<VertexId> corners;
   for (const VertexId v : inside) {
@@ -74,14 +78,16 @@ void ReductionFit::straighten() {
       if (is_inverted(m_, positions(), QuadMesh::face(h))) corners.push_back(v);
     });
   }
-  if (corners.empty()) return;
+  if (corners.empty()) return {};
   const auto is_inside = [&](VertexId v) { return std::binary_search(inside.begin(), inside.end(), v); };
-  around_.measure(m_, corners, is_inside, is_inside, [](VertexId, int d) { return d > kRings; });
-  const std::vector<VertexId> near = around_.met();
-  FitOptions how = fitting_;
-  how.rounds = kRounds;
-  how.quality = kGoodQuads;
-  fit(near, how);
+  around_.measure(m_, corners, is_inside, is_inside, [rings](VertexId, int d) { return d > rings; });
+  return around_.met();
+}
+
+void ReductionFit::straighten() {
+  constexpr Reach kNear{3, 5, false};
+  const std::vector<VertexId> near = near_inverted(kNear.rings);
+  if (!near.empty()) fit_reached(near, kNear, kGoodQuads);
 }
 
 void ReductionFit::fit_in_the_end() {
@@ -93,12 +99,12 @@ void ReductionFit::fit_in_the_end() {
   fit_in_the_end(kQualityWeight, bound_);
 }
 
-// In some rounds at a time. What they make worse, or lead beyond the bound, is taken back, up to the last ones that did
-// neither. Returns whether there are such.
+// In some rounds at a time. Where they invert a quad, its vertices go back to where they were. What leads beyond the bound
+// or is worse than the options allow, is taken back, up to the last rounds that are neither. Returns whether there are such.
 bool ReductionFit::fit_in_the_end(double quality, double bound) {
   constexpr int kAtATime = 5;
-  const int inverted = count_inverted(m_, positions());
   const double quality_before = mean_quality();
+  const int inverted = count_inverted(m_, positions());
   std::size_t good = editor_.mark();
   bool any = false;
   for (int rounds = options_.final_rounds; rounds > 0; rounds -= kAtATime) {
@@ -110,9 +116,15 @@ bool ReductionFit::fit_in_the_end(double quality, double bound) {
     } else {
       affected_ = affected_region_since(editor_, around_, start_, reach.rings + 1);
     }
-    fit_affected(reach, quality);
-    if (!options_.allow_inverted && count_inverted(m_, positions()) > inverted) straighten();
-    if ((!options_.allow_inverted && count_inverted(m_, positions()) > inverted) || !is_within(bound)) continue;
+    const std::size_t before = editor_.mark();
+    fit_reached(inner(), reach, quality);
+    if (!options_.allow_inverted && count_inverted(m_, positions()) > inverted) {
+      straighten();
+      put_back_inverted(before);
+      if (mirror_) mirror_->symmetrise(editor_, m_.vertices());
+      if (count_inverted(m_, positions()) > inverted) editor_.roll_back(before);
+    }
+    if (!is_within(bound)) continue;
     const double now = mean_quality();
     if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
       continue;
@@ -121,6 +133,29 @@ bool ReductionFit::fit_in_the_end(double quality, double bound) {
   }
   editor_.roll_back(good);
   return any;
+}
+
+// Puts the corners of quads that have become inverted since the mark back to where they were, and those of quads that this
+// inverts, until no quad is inverted that was not before. Precondition: only positions have changed.
+void ReductionFit::put_back_inverted(std::size_t mark) {
+  Positions before = positions();
+  for (std::size_t i = editor_.mark(); i > mark; --i) {
+    for (const Placement& p : editor_.edits()[i - 1].placements) before[p.vertex.slot()] = p.from;
+  }
+  for (std::vector<FaceId> faces = affected_faces(); !faces.empty();) {
+    std::vector<VertexId> moved;
+    for (const FaceId f : faces) {
+      if (!is_inverted(m_, positions(), f) || is_inverted(m_, before, f)) continue;
+      for (const VertexId v : m_.corners(f)) {
+        if (!same_bits(positions()[v.slot()], before[v.slot()])) moved.push_back(v);
+      }
+    }
+    sort_once(moved);
+    editor_.rearrange(moved, [&](Positions& now) {
+      for (const VertexId v : moved) now[v.slot()] = before[v.slot()];
+    });
+    faces = faces_round(m_, moved);
+  }
 }
 
 std::size_t ReductionFit::carry() {
@@ -134,12 +169,23 @@ std::size_t ReductionFit::carry() {
 void ReductionFit::lift_bound() { bound_ = std::numeric_limits<double>::infinity(); }
 
 bool ReductionFit::is_within(double bound) const {
-  return !std::isfinite(bound) || hausdorff_distance({m_, positions()}, {input_, input_positions_}) <= bound;
+  return !std::isfinite(bound) || (mesh::is_within({m_, positions()}, surface_, bound) &&
+                                   mesh::is_within({input_, input_positions_}, SurfaceIndex(m_, positions()), bound));
 }
 
 bool ReductionFit::is_too_far() const {
   constexpr double kPart = 0.97;
-  return std::isfinite(bound_) && (deviation() > kPart * bound_ || distance_from_surface() > kPart * bound_);
+  if (!std::isfinite(bound_)) return false;
+  const double most = kPart * bound_;
+  NearSurface near(surface_);
+  for (const FaceId f : affected_faces()) {
+    bool all = near.is_within(most, face_centre(m_, positions(), f));
+    homes_.for_each_sample(f, [&](std::size_t i) { all = all && homes_.residual(m_, positions(), i).norm() <= most; });
+    for_each_sample(m_, positions(), f, kUsualDensity,
+                    [&](const Eigen::Vector3d& p) { all = all && near.is_within(most, p); });
+    if (!all) return true;
+  }
+  return false;
 }
 
 // The faces at the inner vertices of the affected region.
@@ -149,22 +195,12 @@ std::vector<FaceId> ReductionFit::affected_faces() const {
 
 double ReductionFit::deviation() const {
   double largest = 0;
-  const auto look = [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); };
+  NearSurface near(surface_);
   for (const FaceId f : affected_faces()) {
     homes_.for_each_sample(
         f, [&](std::size_t i) { largest = std::max(largest, homes_.residual(m_, positions(), i).norm()); });
-    look(face_centre(m_, positions(), f));
-    for (const VertexId v : m_.corners(f)) look(positions()[v.slot()]);
-  }
-  return largest;
-}
-
-// One side of the Hausdorff distance: that of the affected faces from the surface, at all samples.
-double ReductionFit::distance_from_surface() const {
-  double largest = 0;
-  for (const FaceId f : affected_faces()) {
-    for_each_sample(m_, positions(), f, kUsualDensity,
-                    [&](const Eigen::Vector3d& p) { largest = std::max(largest, surface_.nearest(p).distance); });
+    largest = std::max(largest, near.distance(face_centre(m_, positions(), f)));
+    for (const VertexId v : m_.corners(f)) largest = std::max(largest, near.distance(positions()[v.slot()]));
   }
   return largest;
 }

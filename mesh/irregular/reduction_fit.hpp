@@ -35,10 +35,12 @@ class ReductionFit {
   // Finds the region of the edits since the mark, and fits nothing.
   void look_since(std::size_t mark, int rings) { affected_ = affected_region_since(editor_, around_, mark, rings); }
 
-  // Fits round the edits since the mark: after one transport of several, so that nothing is lost; after a cancellation;
-  // and with more effort, again and again, where a quad is inverted or too far away then.
-  void fit_transport(std::size_t mark);
+  // Fits round the edits since the mark: on the way, after some transports of a cancellation, so that nothing is lost; and
+  // after the cancellation.
+  void fit_on_the_way(std::size_t mark);
   void fit_made(std::size_t mark);
+  // After a cancellation that turned out not to be acceptable, with more effort: round the inverted quads, or where there
+  // are none, round all of it.
   void fit_again(std::size_t mark);
   // Fits round the inverted quads of the region, inside it, for good quads above all.
   void straighten();
@@ -70,9 +72,7 @@ class ReductionFit {
     int rounds;
     bool joint;
   };
-  static constexpr int kLongTransport = 8;  // edits
-  static constexpr Reach kOnTheWay{2, 1, false};
-  static constexpr Reach kAfterLongTransport{4, 3, true};
+  static constexpr Reach kOnTheWay{4, 3, true};
   static constexpr Reach kWhenMade{4, 3, false};
   static constexpr Reach kAgain{12, 2, true};
   // In the end: good quads as far as the bound allows.
@@ -81,12 +81,14 @@ class ReductionFit {
 
   const Positions& positions() const { return *editor_.positions(); }
   void fit_since(std::size_t mark, const Reach& reach);
-  void fit_affected(const Reach& reach, double quality);
+  void fit_reached(std::span<const VertexId> vertices, const Reach& reach, double quality);
+  std::span<const VertexId> inner() const;  // of the region
+  std::vector<VertexId> near_inverted(int rings);
   void fit(std::span<const VertexId> vertices, const FitOptions& how);
   bool fit_in_the_end(double quality, double bound);
+  void put_back_inverted(std::size_t mark);
   bool is_within(double bound) const;
   std::vector<FaceId> affected_faces() const;
-  double distance_from_surface() const;
 
   Editor& editor_;
   const QuadMesh& m_;

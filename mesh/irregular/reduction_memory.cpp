@@ -6,6 +6,7 @@ namespace requad::mesh {
 
 void ReductionMemory::begin_stage(std::span<const std::vector<VertexId>* const> changed) {
   ++stage_;
+  plans_.clear();
   for (const std::vector<VertexId>* some : changed) {
     for (const VertexId v : *some) {
       if (v.slot() >= changed_at_.size()) changed_at_.resize(v.slot() + 1);
@@ -40,6 +41,11 @@ std::optional<double> ReductionMemory::cost(const Pair& pair) const {
 
 void ReductionMemory::costs(const Pair& pair, double cost, std::vector<VertexId> where) {
   estimates_[pair] = {stage_, cost, std::move(where)};
+}
+
+const Cancellation* ReductionMemory::plan(const Pair& pair) const {
+  const auto known = plans_.find(pair);
+  return known == plans_.end() ? nullptr : &known->second;
 }
 
 }  // namespace requad::mesh

@@ -4,6 +4,7 @@
 //   pair      a v3 and a v5 that may cancel.
 //   stage     the number of cancellations that were made.
 //   where     of what was tried: the vertices that it met. It holds until a cancellation changes one of them.
+//   plan      how a cancellation is made, which holds for one stage only: the ids of what it makes may be others later.
 #pragma once
 
 #include <map>
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/irregular/edit_refusal.hpp"
+#include "mesh/irregular/complementary_operations.hpp"
 #include "mesh/topology/handles.hpp"
 
 namespace requad::mesh {
@@ -46,6 +47,12 @@ class ReductionMemory {
   void costs(const Pair& pair, double cost, std::vector<VertexId> where);
   void forget_costs() { estimates_.clear(); }
 
+  // How the pair is cancelled, or null if that is not known at this stage.
+  const Cancellation* plan(const Pair& pair) const;
+  const Cancellation& plans(const Pair& pair, Cancellation plan) { return plans_[pair] = std::move(plan); }
+  // Something else than a cancellation has changed the mesh.
+  void forget_plans() { plans_.clear(); }
+
  private:
   struct Estimate {
     int stage;
@@ -57,6 +64,7 @@ class ReductionMemory {
   int stage_ = 0;
   std::map<Pair, Failure> failures_;
   std::map<Pair, Estimate> estimates_;
+  std::map<Pair, Cancellation> plans_;
   std::vector<int> changed_at_;  // by vertex slot, the stage after the last cancellation that changed it
 };
 

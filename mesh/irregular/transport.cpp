@@ -83,15 +83,27 @@ void PairTransport::measure_distances(std::span<const VertexId> targets, Adjacen
   }
   const VertexId u = start.u(m);
   const VertexId v = start.v(m);
+  const auto enters = [&](VertexId x) { return sectors.may_change(x); };
+  const auto passes = [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); };
+  // Only the nearest sources count. They are found from the start of the transport, so that the search covers a disc round
+  // it, not one round each source.
+  std::sort(sources_.begin(), sources_.end());
+  std::vector<VertexId> near;
   int last = -1;  // distances beyond this one are not needed; -1: not known yet
-  distances_.measure(
-      m, sources_, [&](VertexId x) { return sectors.may_change(x); },
-      [&](VertexId x) { return x == u || x == v || (!sectors.is_fixed(x) && m.face_valence(x) == 4); },
-      [&](VertexId, int d) {
-        farthest_ = d;
-        if (last < 0 && distances_.distance(u) >= 0 && distances_.distance(v) >= 0) last = d + kMargin;
-        return last >= 0 && d >= last;
-      });
+  distances_.measure(m, std::array{u, v}, enters, passes, [&](VertexId x, int d) {
+    if (std::binary_search(sources_.begin(), sources_.end(), x)) {
+      near.push_back(x);
+      if (last < 0) last = d + 1 + kMargin;
+    }
+    return last >= 0 && d >= last;
+  });
+  last = -1;
+  farthest_ = 0;
+  distances_.measure(m, near, enters, passes, [&](VertexId, int d) {
+    farthest_ = d;
+    if (last < 0 && distances_.distance(u) >= 0 && distances_.distance(v) >= 0) last = d + kMargin;
+    return last >= 0 && d >= last;
+  });
 }
 
 int PairTransport::distance(VertexId v) const {

@@ -189,12 +189,6 @@ std::vector<VertexId> QuadMesh::neighbours(VertexId v) const {
   return around;
 }
 
-int QuadMesh::face_valence(VertexId v) const {
-  int count = 0;
-  for_each_out(v, [&count](HalfEdgeId) { ++count; });
-  return count;
-}
-
 bool QuadMesh::adjacent(VertexId a, VertexId b) const {
   // Each edge of an interior vertex has a half-edge out of it, but the last edge of a boundary vertex has none.
   if (find_half_edge(a, b).valid()) return true;

@@ -126,7 +126,11 @@ class QuadMesh {
   std::vector<VertexId> neighbours(VertexId v) const;
   // The number of edges at v, and of faces at v, which is one less on the boundary. O(valence).
   int valence(VertexId v) const { return face_valence(v) + (is_boundary(v) ? 1 : 0); }
-  int face_valence(VertexId v) const;
+  int face_valence(VertexId v) const {
+    int count = 0;
+    for_each_out(v, [&count](HalfEdgeId) { ++count; });
+    return count;
+  }
   // Whether an edge joins a and b. O(valence of a).
   bool adjacent(VertexId a, VertexId b) const;
   // Whether an edge joins origin(h) and v; the fastest where h is at hand. O(valence).

@@ -78,11 +78,25 @@ TEST_CASE("section 8: a 3-5 pair is cancelled with a third vertex, and never wit
     CHECK(cancel_pair(editor, transport, threes[0], five, {}).refusal == EditRefusal::lone_pair);
     CHECK(cancel_pair(editor, transport, five, threes[0], {threes[1]}).refusal == EditRefusal::wrong_valences);
     CHECK(m == region.mesh);
+    // An effort that allows nothing is refused.
+    CHECK(cancel_pair(editor, transport, threes[0], five, {threes[1]}, {}, {-1, 3}).refusal == EditRefusal::no_path);
+    CHECK(m == region.mesh);
     const Cancellation done = cancel_pair(editor, transport, threes[0], five, {threes[1]});
     REQUIRE(done.refusal == Refusal::none);
     CHECK(done.transports >= graph_distance(region.mesh, threes[0], five));
     CHECK(irregular_valences(m) == std::map<int, int>{{3, 1}});
     CHECK(done.helpers == irregular_vertices(m));
+    // It can be made again, transport by transport.
+    const QuadMesh cancelled = m;
+    editor.roll_back();
+    CHECK(m == region.mesh);
+    std::vector<std::size_t> marks;
+    repeat(editor, done, [&](std::size_t mark) { marks.push_back(mark); });
+    CHECK(m == cancelled);
+    REQUIRE(static_cast<int>(marks.size()) == done.transports);
+    CHECK(marks[0] == 0);
+    for (std::size_t i = 1; i < marks.size(); ++i) CHECK(marks[i] == done.ends[i - 1]);
+    CHECK(static_cast<int>(done.ends.back()) == done.steps);
     CHECK(m.vertex_count() - m.face_count() == region.mesh.vertex_count() - region.mesh.face_count());
   });
   CHECK(fillings == 75);

@@ -212,6 +212,13 @@ TEST_CASE("SurfaceIndex finds what a search through all triangles finds (geometr
       const SurfaceIndex::Nearest found = index.nearest(p);
       CHECK(found.distance == best);
       CHECK((found.point - p).norm() == best);
+      // A guess changes nothing, be it the nearest point, another one, or off the surface nearer to p than that.
+      for (const Vector3d& guess : {found.point, s.positions[0], p, Vector3d((p + found.point) / 2)}) {
+        const SurfaceIndex::Nearest guessed = index.nearest(p, guess);
+        CHECK(guessed.distance == best);
+        CHECK(guessed.point == found.point);
+        CHECK(guessed.face == found.face);
+      }
       double on_face = 1e300;
       for (const Triangle& t : triangles(s.mesh, s.positions, found.face))
         on_face = std::min(on_face, (nearest_on_triangle(t, p) - p).norm());
@@ -241,6 +248,11 @@ TEST_CASE("Hausdorff distance (geometry-2)", "[geometry][real]") {
   CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, slid}) == Approx(0.25));  // a part sticks out at each end
   CHECK(hausdorff_distance({g.mesh, g.positions}, {g.mesh, spike}) == Approx(3));    // seen from one side only
   CHECK(hausdorff_distance({g.mesh, spike}, {g.mesh, g.positions}) == Approx(3));
+  const SurfaceIndex flat(g.mesh, g.positions);
+  CHECK(is_within({g.mesh, spike}, flat, 3.001));
+  CHECK_FALSE(is_within({g.mesh, spike}, flat, 2.999));
+  CHECK(is_within({g.mesh, g.positions}, flat, 1e-12));
+  CHECK_FALSE(is_within({g.mesh, lifted}, flat, 0.499));
   if (const auto path = real_mesh("fandisk_bommes")) {
     const Surface s = read_surface(*path, false);
     Positions moved = s.positions;
