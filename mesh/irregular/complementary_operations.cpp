@@ -125,8 +125,8 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
     return refused;
   };
   for (bool adjacent = false; !adjacent;) {
-    // What is left of the last path will do, as long as nothing has come between.
-    if (!path.exists() || !is_open(editor, path)) path = shortest_path(editor, around, three, five, -1);
+    // What the last transport left open of its path will do.
+    if (!path.exists()) path = shortest_path(editor, around, three, five, -1);
     // Splits on the way may make the path longer, so the number of transports is bounded.
     if (transports_left < 0) transports_left = static_cast<int>(effort.detours * path.length()) + 8;
     if (!path.exists() || transports_left-- == 0 || positions_left < 0) return refuse(EditRefusal::no_path);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "mesh/irregular/reduction_fit.hpp"
+#include "mesh/irregular/reduction_judge.hpp"
 #include "mesh/irregular/reduction_memory.hpp"
 #include "mesh/irregular/reduction_values.hpp"
 
@@ -26,15 +27,9 @@ constexpr int kPositions = 200;  // that a transport may visit
 constexpr CancellationEffort kEffort{1000, 1.5};
 constexpr int kThoroughPositions = 1000;
 constexpr std::size_t kFew = 64;
-constexpr std::size_t kSeldom = 16;  // edits between two fits on the way
-constexpr std::size_t kOften = 4;    // the same, if it is looked for thoroughly
-// Fits with more effort of a cancellation that is not acceptable: usually, and where it is looked for thoroughly.
-constexpr int kRescues = 2;
-constexpr int kThoroughRescues = 4;
-constexpr int kRefresh = 4;  // cancellations between two fits of all that was touched
-// how_far_from_acceptable(): beyond it no fit helps, neither for good quads nor with more effort.
-constexpr double kHopeless = 1.5;
-constexpr double kHopelessStraightened = 0.7;
+constexpr std::size_t kSeldom = 16;     // edits between two fits on the way
+constexpr std::size_t kOften = 4;       // the same, if it is looked for thoroughly
+constexpr int kRefresh = 4;             // cancellations between two fits of all that was touched
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 
 }  // namespace
@@ -70,7 +65,8 @@ class Reduction::Work {
         thorough_(options.patience == 0),
         mirror_(options.symmetry),
         fit_(editor, options, mirror_ ? &*mirror_ : nullptr),
-        values_(editor, options.cost == ReduceCost::curvature) {
+        values_(editor, options.cost == ReduceCost::curvature),
+        judge_(fit_, values_, options) {
     report_.before = report_.after = count_irregular();
     if (mirror_) mirror_->symmetrise(editor_, m_.vertices());
   }
@@ -321,29 +317,6 @@ class Reduction::Work {
     return made;
   }
 
-  // Whether the affected region is as good as it must be. If not, reason_ says why.
-  bool is_acceptable() {
-    const ReductionValue change = values_.change(fit_.affected());
-    inverted_ = options_.allow_inverted ? 0 : std::max(0, change.inverted) / 4;
-    if (change.inside > 0) {
-      reason_ = Reason::inward;
-    } else if (is_worn(change)) {
-      reason_ = Reason::worn;
-    } else if (!options_.allow_inverted && change.inverted > 0) {
-      reason_ = Reason::folded;
-    } else if (fit_.is_too_far()) {
-      reason_ = Reason::too_far;
-    } else {
-      return true;
-    }
-    return false;
-  }
-  // Whether the mean quality of all faces falls too low.
-  bool is_worn(const ReductionValue& change) const {
-    if (options_.max_quality_loss < 0) return false;
-    const double now = values_.mean_quality_after(change);
-    return now < values_.mean_quality() && now < fit_.input_quality() - options_.max_quality_loss;
-  }
   // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
   std::optional<Candidate> next_candidate() {
     while (!queue_.empty()) {
@@ -368,8 +341,8 @@ class Reduction::Work {
     if (made == nullptr) return false;
     const bool symmetric = !mirror_ || mirror_->follow(editor_, before);
     if (!symmetric) fit_.look_since(before, 1);
-    if (!symmetric || !fit_made(before)) {
-      const Reason why = symmetric ? reason_ : Reason::unsymmetric;
+    if (!symmetric || !judge_.accepts(before, is_careful())) {
+      const Reason why = symmetric ? judge_.reason() : Reason::unsymmetric;
       const bool worn = why == Reason::worn;
       if (!worn || !may_refresh()) remember_failure(c->three, c->five, why);
       editor_.roll_back(before);
@@ -398,36 +371,6 @@ class Reduction::Work {
   }
   // Whether fits take more time: where a bound was asked for, or the search is thorough.
   bool is_careful() const { return thorough_ || options_.max_deviation >= 0; }
-  // Fits what was made until it is acceptable, or there seems to be no hope.
-  bool fit_made(std::size_t before) {
-    fit_.fit_made(before);
-    if (is_acceptable()) return true;
-    if (reason_ == Reason::inward || reason_ == Reason::worn || options_.sweeps == 0) return false;
-    if (how_far_from_acceptable() > kHopeless) return false;
-    if (is_acceptable_straightened()) return true;
-    double trouble = std::numeric_limits<double>::infinity();
-    const int rescues = is_careful() ? kThoroughRescues : kRescues;
-    const double hopeless = is_careful() ? kHopeless : kHopelessStraightened;
-    for (int rescue = 0; rescue < rescues; ++rescue) {
-      const double left = how_far_from_acceptable();
-      if (left > hopeless || left > 0.95 * trouble) break;
-      trouble = left;
-      fit_.fit_again(before);
-      if (is_acceptable() || is_acceptable_straightened()) return true;
-    }
-    return false;
-  }
-  bool is_acceptable_straightened() {
-    if (reason_ != Reason::folded) return false;
-    fit_.straighten();
-    return is_acceptable();
-  }
-  // Too large a deviation, by how many bounds, and a tenth for each quad that is inverted.
-  double how_far_from_acceptable() const {
-    const double bound = fit_.bound();
-    const double far = bound > 0 && std::isfinite(bound) ? std::max(0.0, fit_.deviation() / bound - 0.9) : 0;
-    return far + inverted_ / 10.0;
-  }
 
   Editor& editor_;
   const QuadMesh& m_;
@@ -438,6 +381,7 @@ class Reduction::Work {
   std::optional<Mirror> mirror_;
   ReductionFit fit_;
   ReductionValues values_;  // of the mesh after the last cancellation
+  ReductionJudge judge_;
   BreadthFirstDistances around_;
   std::priority_queue<Candidate> queue_;
   std::vector<VertexId> all_;  // at the start of the round
@@ -449,10 +393,8 @@ class Reduction::Work {
   std::vector<Made> made_;
   ReductionMemory memory_;
   int failures_in_a_row_ = 0;
-  int refreshed_at_ = 0;             // ReductionMemory::stage()
-  int retried_at_ = -1;              // the same
-  Reason reason_ = Reason::refused;  // of is_acceptable(), if it was not
-  int inverted_ = 0;                 // faces, in the affected region, beside those before
+  int refreshed_at_ = 0;  // ReductionMemory::stage()
+  int retried_at_ = -1;   // the same
 };
 
 Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}

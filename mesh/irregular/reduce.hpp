@@ -1,15 +1,15 @@
 // Progressive cancellation: a mesh with fewer irregular vertices (section 10, Figure 19).
 //
 // Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its
-// neighbourhood is fitted to the input (geometry/fitting.hpp), on the way, after some of its transports, and in the end. A
-// candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. Its cost is measured by
-// making it, without a fit, and rolling it back. Costs are kept in a priority queue. After each cancellation, only the
-// candidates round the vertices that it changed are added anew. A candidate is measured again when its turn comes, if
-// something has changed since where its helpers were looked for.
+// neighbourhood is fitted to the input (geometry/fitting.hpp), on the way, after some of its transports, and in the end.
+// A candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. Its cost is
+// measured by making it, without a fit, and rolling it back. Costs are kept in a priority queue. After each cancellation,
+// only the candidates round the vertices that it changed are added anew. A candidate is measured again when its turn
+// comes, if something has changed since where its helpers were looked for.
 //
-// Candidates are looked for quickly at first. When no more than some tens of pairs are left, which were refused or inverted
-// quads, these are looked for thoroughly: with longer searches and more fits. With a bound, fits take more time from the
-// start.
+// Candidates are looked for quickly at first. When no more than some tens of pairs are left, which were refused or
+// inverted quads, these are looked for thoroughly: with longer searches and more fits. With a bound, fits take more time
+// from the start.
 //
 // A correspondence (geometry/correspondence.hpp) is kept from the first edit on. So the mesh stretches over the ears
 // and legs of the input however few quads are left of them.

@@ -99,8 +99,9 @@ void ReductionFit::fit_in_the_end() {
   fit_in_the_end(kQualityWeight, bound_);
 }
 
-// In some rounds at a time. Where they invert a quad, its vertices go back to where they were. What leads beyond the bound
-// or is worse than the options allow, is taken back, up to the last rounds that are neither. Returns whether there are such.
+// In some rounds at a time. Where they invert a quad, its vertices go back to where they were. What leads beyond the
+// bound or is worse than the options allow is taken back, up to the last rounds that are neither. Returns whether there
+// are such.
 bool ReductionFit::fit_in_the_end(double quality, double bound) {
   constexpr int kAtATime = 5;
   const double quality_before = mean_quality();
@@ -122,7 +123,10 @@ bool ReductionFit::fit_in_the_end(double quality, double bound) {
       straighten();
       put_back_inverted(before);
       if (mirror_) mirror_->symmetrise(editor_, m_.vertices());
-      if (count_inverted(m_, positions()) > inverted) editor_.roll_back(before);
+      if (count_inverted(m_, positions()) > inverted) {
+        editor_.roll_back(before);
+        break;  // more rounds would do the same again
+      }
     }
     if (!is_within(bound)) continue;
     const double now = mean_quality();

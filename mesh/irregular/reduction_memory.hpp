@@ -49,7 +49,7 @@ class ReductionMemory {
 
   // How the pair is cancelled, or null if that is not known at this stage.
   const Cancellation* plan(const Pair& pair) const;
-  const Cancellation& plans(const Pair& pair, Cancellation plan) { return plans_[pair] = std::move(plan); }
+  void plans(const Pair& pair, Cancellation plan) { plans_[pair] = std::move(plan); }
   // Something else than a cancellation has changed the mesh.
   void forget_plans() { plans_.clear(); }
 
