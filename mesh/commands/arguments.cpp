@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "mesh/program/program.hpp"
+#include "mesh/threads/threads.hpp"
 
 namespace requad::edit {
 
@@ -72,6 +73,14 @@ std::string output_path(const Options& options, const std::string& command) {
   if (!options.has("output"))
     throw UsageError(command + ": -o is missing; expected a file to write, or - for standard output");
   return options.text("output");
+}
+
+mesh::RunTasks tasks(const Options& options) {
+  const int threads = options.threads();
+  if (threads::thread_count(threads) == 1) return {};
+  return [threads](std::size_t count, const std::function<void(std::size_t)>& task) {
+    threads::run_on_threads(count, threads, task);
+  };
 }
 
 void report_left_out(const Options& options, const mesh::Surface& surface) {

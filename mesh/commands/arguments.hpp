@@ -6,6 +6,7 @@
 
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/geometry/in_chunks.hpp"
 #include "mesh/program/layout.hpp"
 #include "mesh/program/options.hpp"
 
@@ -38,6 +39,9 @@ mesh::FeatureEdges read_features(const program::Options& options, const mesh::Su
 
 // The path that -o gives. Throws UsageError if -o is missing.
 std::string output_path(const program::Options& options, const std::string& command);
+
+// On as many threads as --threads says.
+mesh::RunTasks tasks(const program::Options& options);
 
 // Says on standard error, in one line, how many vertices of the file the result lacks since no face has them.
 void report_left_out(const program::Options& options, const mesh::Surface& surface);

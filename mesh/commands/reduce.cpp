@@ -30,7 +30,8 @@ std::string ending(const mesh::ReduceReport& report, int until) {
   for (const auto& [refusal, count] : report.refusals)
     text += "; " + counted(count, "pair: ", "pairs: ") + std::string(refusal.clause());
   if (report.too_far > 0)
-    text += "; " + counted(report.too_far, "pair would", "pairs would") + " go beyond --max-deviation";
+    text += "; " + counted(report.too_far, "pair would", "pairs would") +
+            " lead too far from the surface (--max-deviation allows more)";
   if (report.unsymmetric > 0)
     text += "; " + counted(report.unsymmetric, "pair", "pairs") + " cannot be cancelled on both sides (--symmetry)";
   if (report.inward > 0)
@@ -71,6 +72,7 @@ int reduce(const Options& options) {
   how.fit_all = options.has("final-smooth");
   how.patience = static_cast<int>(options.integer("patience", how.patience, 0, 1'000'000));
   how.allow_inverted = options.has("allow-inverted");
+  how.run = tasks(options);
 
   Session session(options, "reduce");
   const double diagonal = mesh::bounding_box_diagonal(session.mesh(), session.positions());
@@ -138,7 +140,8 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
       .options = editing_options({
           program::value("until", "N", "stop at N irregular vertices (default 0)"),
           program::value("max-deviation", "D",
-                         "keep the Hausdorff distance of OUT and IN within D times the diagonal of IN"),
+                         "keep the Hausdorff distance of OUT and IN within D times the diagonal of IN\n"
+                         "(default 0.02); if D is given, with more care, which takes longer"),
           program::value("max-quality-loss", "Q",
                          "make no cancellation that lets the mean scaled Jacobian fall by more than Q below\n"
                          "that of IN (default 0.05 with --max-deviation, no bound without)"),
@@ -151,7 +154,7 @@ bit by bit. The order: parts of IN where the mesh is coarse are left for last.
                          "the whole mesh, whatever was edited"),
           program::value("patience", "N",
                          "end when N cancellations in a row turn out to be impossible without losing the shape\n"
-                         "or inverting quads (default 32; 0: try them all, and search longer for each)"),
+                         "or inverting quads (default 64; 0: try them all, and search longer for each)"),
           program::value("symmetry", "x|y|z",
                          "make each cancellation on both sides of the plane through the middle of IN that has\n"
                          "this normal, so that OUT is as symmetric as IN; a pair whose cancellation would meet\n"

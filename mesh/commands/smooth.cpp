@@ -65,6 +65,7 @@ int smooth(const Options& options) {
   fitting.rounds = 1;
   fitting.sweeps = 1;
   fitting.quality = mesh::kGoodQuads;
+  fitting.run = tasks(options);
   fitting.tolerance = std::max(bound, kProjectedBound / 10) * diagonal / 2;
   const int inverted = mesh::count_inverted(same, positions);
 

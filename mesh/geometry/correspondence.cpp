@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/geometry/nearest_points.hpp"
+#include "mesh/topology/id_lists.hpp"
 
 namespace requad::mesh {
 
@@ -191,45 +192,55 @@ void Correspondence::leave(FaceId removed, const std::array<FaceId, 4>& beside) 
   }
 }
 
-void Correspondence::settle(const QuadMesh& m, const Positions& positions, std::span<const FaceId> faces) {
-  constexpr int kMostSteps = 100;
-  working_.clear();
-  for (const FaceId f : faces) for_each_sample(f, [&](std::size_t i) { working_.push_back(static_cast<int>(i)); });
-  std::sort(working_.begin(), working_.end());
-  working_.erase(std::unique(working_.begin(), working_.end()), working_.end());
-  for (const int i : working_) {
-    const Home start = homes_[static_cast<std::size_t>(i)].home;
-    const Vector3d& p = samples_[static_cast<std::size_t>(i)].point;
-    Home best{start.face, {}};
-    NearestOnFace at = nearest_on_face(m, positions, best.face, p);
-    best.weights = at.weights;
-    for (int step = 0; step < kMostSteps; ++step) {
-      // Only across the edges and round the corners that the nearest point lies on.
-      FaceId better;
-      const FaceId here = best.face;
-      const auto look = [&](FaceId g) {
-        if (g == here || g == better) return;
-        const NearestOnFace there = nearest_on_face(m, positions, g, p);
-        if (!(there.squared < at.squared)) return;
-        at = there;
-        better = g;
-      };
-      for (int k = 0; k < 4; ++k) {
-        const HalfEdgeId h = QuadMesh::half_edge(here, k);
-        const double w = best.weights[static_cast<std::size_t>(k)];
-        const double beyond1 = best.weights[static_cast<std::size_t>((k + 2) % 4)];
-        const double beyond2 = best.weights[static_cast<std::size_t>((k + 3) % 4)];
-        if (w == 1) {
-          m.for_each_out(m.origin(h), [&](HalfEdgeId x) { look(QuadMesh::face(x)); });
-        } else if (beyond1 == 0 && beyond2 == 0 && m.twin(h).valid()) {
-          look(QuadMesh::face(m.twin(h)));
-        }
-      }
-      if (!better.valid()) break;
-      best = {better, at.weights};
-    }
-    if (best.face != start.face || best.weights != start.weights) move(i, best);
+void Correspondence::settle(const QuadMesh& m, const Positions& positions, std::span<const FaceId> faces,
+                            const RunTasks& run) {
+  settling_.clear();
+  for (const FaceId f : faces) for_each_sample(f, [&](std::size_t i) { settling_.push_back(static_cast<int>(i)); });
+  sort_once(settling_);
+  settled_.resize(settling_.size());
+  in_chunks(run, settling_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+      settled_[k] = settled(m, positions, static_cast<std::size_t>(settling_[k]));
+  });
+  for (std::size_t k = 0; k < settling_.size(); ++k) {
+    const Home& before = homes_[static_cast<std::size_t>(settling_[k])].home;
+    if (settled_[k].face != before.face || settled_[k].weights != before.weights) move(settling_[k], settled_[k]);
   }
+}
+
+// Where a sample is at home when it has followed the mesh downhill.
+Correspondence::Home Correspondence::settled(const QuadMesh& m, const Positions& positions, std::size_t sample) const {
+  constexpr int kMostSteps = 100;
+  const Vector3d& p = samples_[sample].point;
+  Home best = homes_[sample].home;
+  NearestOnFace at = nearest_on_face(m, positions, best.face, p);
+  best.weights = at.weights;
+  for (int step = 0; step < kMostSteps; ++step) {
+    // Only across the edges and round the corners that the nearest point lies on.
+    FaceId better;
+    const FaceId here = best.face;
+    const auto look = [&](FaceId g) {
+      if (g == here || g == better) return;
+      const NearestOnFace there = nearest_on_face(m, positions, g, p);
+      if (!(there.squared < at.squared)) return;
+      at = there;
+      better = g;
+    };
+    for (int k = 0; k < 4; ++k) {
+      const HalfEdgeId h = QuadMesh::half_edge(here, k);
+      const double w = best.weights[static_cast<std::size_t>(k)];
+      const double beyond1 = best.weights[static_cast<std::size_t>((k + 2) % 4)];
+      const double beyond2 = best.weights[static_cast<std::size_t>((k + 3) % 4)];
+      if (w == 1) {
+        m.for_each_out(m.origin(h), [&](HalfEdgeId x) { look(QuadMesh::face(x)); });
+      } else if (beyond1 == 0 && beyond2 == 0 && m.twin(h).valid()) {
+        look(QuadMesh::face(m.twin(h)));
+      }
+    }
+    if (!better.valid()) break;
+    best = {better, at.weights};
+  }
+  return best;
 }
 
 }  // namespace requad::mesh

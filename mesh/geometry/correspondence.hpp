@@ -25,6 +25,7 @@
 
 #include <Eigen/Core>
 
+#include "mesh/geometry/in_chunks.hpp"
 #include "mesh/geometry/measures.hpp"
 
 namespace requad::mesh {
@@ -73,7 +74,8 @@ class Correspondence {
   void leave(FaceId removed, const std::array<FaceId, 4>& beside);
   // Moves the samples of these faces, which are live, to points nearest to them: from face to adjacent face as long as
   // a nearer point is met. The faces may name one face more than once. About a microsecond for each sample that stays.
-  void settle(const QuadMesh& mesh, const Positions& positions, std::span<const FaceId> faces);
+  void settle(const QuadMesh& mesh, const Positions& positions, std::span<const FaceId> faces,
+              const RunTasks& run = {});
 
   // A place in the history of the homes, to which they can be rolled back; forget() empties the history.
   std::size_t mark() const { return moves_.size(); }
@@ -94,8 +96,8 @@ class Correspondence {
   int& first(FaceId f);
   void add(const Eigen::Vector3d& point, const Eigen::Vector3d& normals, int count, double area, double weight,
            const Home& home);
-  void unlink(int sample);
   void move(int sample, const Home& home);
+  Home settled(const QuadMesh& mesh, const Positions& positions, std::size_t sample) const;
 
   double mean_weight_ = 0;
   std::vector<Eigen::Vector3d> normals_;  // by face slot of the surface
@@ -104,7 +106,8 @@ class Correspondence {
   std::vector<Node> homes_;
   std::vector<int> first_;  // by face slot
   std::vector<Move> moves_;
-  std::vector<int> working_;
+  std::vector<int> settling_;  // samples, in settle()
+  std::vector<Home> settled_;  // their homes
 };
 
 // The point of a face that is nearest to p, as the weights of its corners, with its squared distance.

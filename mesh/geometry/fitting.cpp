@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
+#include "mesh/geometry/in_chunks.hpp"
 #include "mesh/geometry/quad_shape.hpp"
 
 namespace requad::mesh {
@@ -89,18 +91,19 @@ class Fitter {
     }
     first_corner_.push_back(corners_.size());
     ideals_.resize(faces_.size());
+    derivatives_.resize(options.joint ? faces_.size() : 0);
+    energies_.resize(faces_.size());
+    colour();
   }
 
   void run() {
     for (int round = 0; round < options_.rounds; ++round) {
-      homes_.settle(m_, positions_, faces_);
+      homes_.settle(m_, positions_, faces_, options_.run);
       look();
       if (options_.joint) step_jointly();
-      for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
-        for (std::size_t i = 0; i < vertices_.size(); ++i) step(i);
-      }
+      for (int sweep = 0; sweep < options_.sweeps; ++sweep) step_each();
     }
-    homes_.settle(m_, positions_, faces_);
+    homes_.settle(m_, positions_, faces_, options_.run);
   }
 
  private:
@@ -122,17 +125,49 @@ class Fitter {
     Vector3d point;
     Vector3d normal;
   };
+  struct StepMemory {  // of one vertex
+    std::vector<Around> around;
+    std::vector<Pulled> pulled;
+  };
+
+  // Calls body(i) for each i < count, on several threads if there are some.
+  template <class Body>
+  void each(std::size_t count, Body&& body) const {
+    in_chunks(options_.run, count, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) body(i);
+    });
+  }
+
+  // Gives each vertex the first colour that no vertex of its faces before it has.
+  void colour() {
+    std::vector<std::size_t> colours(vertices_.size());
+    std::vector<std::size_t> taken_by;  // of each colour, the last vertex with a neighbour that has it, and 1
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      for (std::size_t c = first_corner_[i]; c < first_corner_[i + 1]; ++c) {
+        for (const int k : unknowns_[corners_[c].face]) {
+          if (k >= 0 && static_cast<std::size_t>(k) < i) taken_by[colours[static_cast<std::size_t>(k)]] = i + 1;
+        }
+      }
+      const auto free = std::find_if(taken_by.begin(), taken_by.end(), [i](std::size_t v) { return v != i + 1; });
+      colours[i] = static_cast<std::size_t>(free - taken_by.begin());
+      if (free == taken_by.end()) {
+        taken_by.push_back(0);
+        coloured_.emplace_back();
+      }
+      coloured_[colours[i]].push_back(i);
+    }
+  }
 
   // Finds what a round needs of the surface.
   void look() {
-    for (std::size_t f = 0; f < faces_.size(); ++f) ideals_[f] = ideal_of(corners_of(f), faces_[f], homes_, surface_);
+    each(faces_.size(), [this](std::size_t f) { ideals_[f] = ideal_of(corners_of(f), faces_[f], homes_, surface_); });
     const bool first = feet_.empty();
     feet_.resize(vertices_.size());
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    each(vertices_.size(), [&](std::size_t i) {
       const Vector3d& at = positions_[vertices_[i].slot()];
       const SurfaceIndex::Nearest nearest = surface_.nearest(at, first ? near_sample(i) : feet_[i].point);
       feet_[i] = {nearest.point, homes_.surface_normal(nearest.face)};
-    }
+    });
   }
   // A point of the surface near the vertex: the nearest of the samples at home on one of its faces, or infinity.
   Vector3d near_sample(std::size_t i) const {
@@ -172,26 +207,34 @@ class Fitter {
     return r;
   }
 
-  // One vertex alone.
-  void step(std::size_t i) {
+  // Each vertex alone, one colour after another.
+  void step_each() {
+    for (const std::vector<std::size_t>& apart : coloured_) {
+      in_chunks(options_.run, apart.size(), [&](std::size_t first, std::size_t last) {
+        StepMemory memory;
+        for (std::size_t i = first; i < last; ++i) step(apart[i], memory);
+      });
+    }
+  }
+  void step(std::size_t i, StepMemory& memory) {
     const VertexId v = vertices_[i];
     Vector3d& at = positions_[v.slot()];
-    around_.clear();
+    memory.around.clear();
     for (std::size_t c = first_corner_[i]; c < first_corner_[i + 1]; ++c)
-      around_.push_back({corners_[c].face, corners_[c].k, corners_of(corners_[c].face)});
+      memory.around.push_back({corners_[c].face, corners_[c].k, corners_of(corners_[c].face)});
     CornerDerivatives sums;
     const Distance off = distance(at - feet_[i].point, feet_[i].normal, kFootAlong, tolerance2_);
     sums.gradient = foot_weight() * off.gradient;
     sums.hessian = foot_weight() * off.hessian;
     double before = foot_weight() * off.energy;
-    pulled_.clear();
-    for (const Around& face : around_) {
+    memory.pulled.clear();
+    for (const Around& face : memory.around) {
       homes_.for_each_sample(faces_[face.face], [&](std::size_t s) {
         const double w = homes_.home(s).weights[face.k];
         if (w == 0) return;
         const Correspondence::Sample& sample = homes_.sample(s);
         const Vector3d r = residual(s, face.corners);
-        pulled_.push_back({&sample, w, r});
+        memory.pulled.push_back({&sample, w, r});
         const Distance d = distance(r, sample.normal, sample.along, tolerance2_);
         before += sample.weight * d.energy;
         sums.gradient += (sample.weight * w) * d.gradient;
@@ -207,11 +250,11 @@ class Fitter {
     for (int attempt = 0; attempt <= kMostHalvings; ++attempt, length /= 2) {
       const Vector3d step = length * newton;
       double after = foot_energy(i, at + step);
-      for (const Pulled& p : pulled_) {
+      for (const Pulled& p : memory.pulled) {
         after += p.sample->weight *
                  distance_energy(p.residual + p.weight * step, p.sample->normal, p.sample->along, tolerance2_);
       }
-      for (Around& face : around_) {
+      for (Around& face : memory.around) {
         face.corners[face.k] = at + step;
         after += options_.quality / 4 * shape_energy(face.corners, ideals_[face.face]);
       }
@@ -235,7 +278,9 @@ class Fitter {
       add_block(row, row, foot_weight() * off.hessian);
     }
     double before = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f) before += add_face(f, gradient);
+    each(faces_.size(), [this](std::size_t f) { energies_[f] = derive(f, derivatives_[f]); });
+    for (std::size_t f = 0; f < faces_.size(); ++f) add_face(f, gradient);
+    before += sum_of_energies();
     for (std::size_t i = 0; i < vertices_.size(); ++i) before += foot_energy(i, positions_[vertices_[i].slot()]);
     Eigen::SparseMatrix<double> hessian(size, size);
     hessian.setFromTriplets(entries_.begin(), entries_.end());
@@ -255,15 +300,17 @@ class Fitter {
         at = from_[i] + length * newton.segment<3>(static_cast<Eigen::Index>(3 * i));
         after += foot_energy(i, at);
       }
-      for (std::size_t f = 0; f < faces_.size(); ++f) after += energy(f, corners_of(f));
+      each(faces_.size(), [this](std::size_t f) { energies_[f] = energy(f, corners_of(f)); });
+      after += sum_of_energies();
       if (after < before) return;
     }
     for (std::size_t i = 0; i < vertices_.size(); ++i) positions_[vertices_[i].slot()] = from_[i];
   }
-  // Adds the derivatives of E(f), and returns E(f).
-  double add_face(std::size_t face, Eigen::VectorXd& gradient) {
+  double sum_of_energies() const { return std::accumulate(energies_.begin(), energies_.end(), 0.0); }
+  // Finds the derivatives of E(f), and returns E(f).
+  double derive(std::size_t face, QuadDerivatives& sums) const {
     const QuadCorners corners = corners_of(face);
-    QuadDerivatives sums;
+    sums = {};
     add_shape(corners, ideals_[face], options_.quality / 4, sums);
     double sum = options_.quality / 4 * shape_energy(corners, ideals_[face]);
     homes_.for_each_sample(faces_[face], [&](std::size_t s) {
@@ -282,6 +329,10 @@ class Fitter {
         }
       }
     });
+    return sum;
+  }
+  void add_face(std::size_t face, Eigen::VectorXd& gradient) {
+    const QuadDerivatives& sums = derivatives_[face];
     for (int i = 0; i < 4; ++i) {
       const int row = unknowns_[face][static_cast<std::size_t>(i)];
       if (row < 0) continue;
@@ -291,7 +342,6 @@ class Fitter {
         if (column >= 0 && column <= row) add_block(3 * row, 3 * column, sums.hessian.block<3, 3>(3 * i, 3 * k));
       }
     }
-    return sum;
   }
   // Below the diagonal, which is all that the solver reads.
   void add_block(int row, int column, const Matrix3d& block) {
@@ -315,9 +365,11 @@ class Fitter {
   std::vector<std::array<int, 4>> unknowns_;  // of each face, the places of its corners in vertices_, or -1
   std::vector<IdealQuad> ideals_;             // of faces_
   std::vector<Foot> feet_;                    // of vertices_
-  std::vector<Around> around_;                // of one vertex
-  std::vector<Pulled> pulled_;
-  std::vector<Vector3d> from_;  // positions of vertices_ before a joint step
+  std::vector<std::vector<std::size_t>>
+      coloured_;                              // by colour, places in vertices_ of which no two have a face together
+  std::vector<QuadDerivatives> derivatives_;  // of faces_, in a joint step
+  std::vector<double> energies_;              // of faces_, in a joint step
+  std::vector<Vector3d> from_;                // positions of vertices_ before a joint step
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver_;
 };

@@ -115,7 +115,8 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
   const QuadMesh& m = editor.mesh();
   Cancellation result;
   BreadthFirstDistances around;
-  int transports_left = -1;
+  int nearest_yet = std::numeric_limits<int>::max();  // the length of the shortest path yet
+  int detours = 0;                                    // transports since then
   int positions_left = effort.positions;
   Path path;  // from the v3 to the v5
   const auto refuse = [&result](Refusal refusal) {
@@ -127,9 +128,14 @@ Cancellation cancel_in_order(Editor& editor, PairTransport& transport, VertexId 
   for (bool adjacent = false; !adjacent;) {
     // What the last transport left open of its path will do.
     if (!path.exists()) path = shortest_path(editor, around, three, five, -1);
-    // Splits on the way may make the path longer, so the number of transports is bounded.
-    if (transports_left < 0) transports_left = static_cast<int>(effort.detours * path.length()) + 8;
-    if (!path.exists() || transports_left-- == 0 || positions_left < 0) return refuse(EditRefusal::no_path);
+    if (!path.exists() || positions_left < 0) return refuse(EditRefusal::no_path);
+    // Splits on the way may make the path longer, and longer again each time that it has become shorter.
+    if (path.length() < nearest_yet) {
+      nearest_yet = path.length();
+      detours = 0;
+    } else if (++detours > effort.detours) {
+      return refuse(EditRefusal::no_path);
+    }
     if (helpers.empty()) return refuse(EditRefusal::lone_pair);
     adjacent = path.length() == 1;
     // The v3 takes the path's first edge, or the v5 its last one.
@@ -196,19 +202,20 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
     // The caller may take its time over each transport, so it is shown those that get through only.
     if (after_transport) {
       editor.roll_back(start);
-      repeat(editor, result, after_transport);
+      repeat(editor, result, [&](std::size_t mark) { return after_transport(mark), true; });
     }
   }
   return result;
 }
 
-void repeat(Editor& editor, const Cancellation& made, const std::function<void(std::size_t mark)>& after_transport) {
+bool repeat(Editor& editor, const Cancellation& made, const std::function<bool(std::size_t mark)>& goes_on) {
   std::size_t done = 0;
   for (const std::size_t end : made.ends) {
     const std::size_t mark = editor.mark();
     for (; done < end; ++done) editor.run(made.operations[done]);
-    after_transport(mark);
+    if (!goes_on(mark)) return false;
   }
+  return true;
 }
 
 // --- merging and aligning --------------------------------------------------------------------------------------------

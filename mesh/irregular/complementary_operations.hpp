@@ -30,7 +30,7 @@ struct Cancellation {
 // How long a cancellation is looked for, in each of the orders that it tries.
 struct CancellationEffort {
   int positions = std::numeric_limits<int>::max();  // that its transports may visit together; it ends soon after these
-  double detours = 3;  // transports for each edge of the shortest path, beside eight that are always allowed
+  int detours = 30;  // transports in a row that bring the v3 and the v5 no nearer to each other than they were
 };
 
 // Cancels a v3 and a v5, or brings a vertex of higher valence nearer to regular. The v3 moves to the v5 along a
@@ -50,8 +50,9 @@ Cancellation cancel_pair(Editor& editor, PairTransport& transport, VertexId thre
                          const std::function<void(std::size_t mark)>& after_transport = {},
                          const CancellationEffort& effort = {});
 
-// Makes a cancellation again that was rolled back. Precondition: the mesh has the ids that it had before it.
-void repeat(Editor& editor, const Cancellation& made, const std::function<void(std::size_t mark)>& after_transport);
+// Makes a cancellation again that was rolled back, as long as goes_on(mark) says so after a transport, which did what the
+// editor did since the mark. Returns whether all of it was made. Precondition: the mesh has the ids that it had before it.
+bool repeat(Editor& editor, const Cancellation& made, const std::function<bool(std::size_t mark)>& goes_on);
 
 // The vertices for which wanted(v) holds that are nearest to `from`, nearest first, at most `most` of them. Looks only
 // at vertices that may change, no further than it must, and not beyond fixed ones.

@@ -24,22 +24,24 @@ constexpr int kPartners = 3;  // candidates looked for at each vertex
 constexpr int kHelpers = 8;   // third vertices offered to a cancellation
 // How long a cancellation is looked for, and in the end, if no more than so many pairs are left.
 constexpr int kPositions = 200;  // that a transport may visit
-constexpr CancellationEffort kEffort{1000, 1.5};
+constexpr CancellationEffort kEffort{.positions = 1000, .detours = 10};
 constexpr int kThoroughPositions = 1000;
-constexpr std::size_t kFew = 64;
+constexpr std::size_t kFew = 32;
 constexpr std::size_t kSeldom = 16;     // edits between two fits on the way
 constexpr std::size_t kOften = 4;       // the same, if it is looked for thoroughly
 constexpr int kRefresh = 4;             // cancellations between two fits of all that was touched
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
+constexpr double kGuessedCost = 6;      // of a candidate, for each edge between its vertices: about what is measured
 
 }  // namespace
 
 class Reduction::Work {
+  static constexpr int kNotMeasured = -1;
   struct Candidate {
     double cost;
     VertexId three;
     VertexId five;
-    int measured_at;                            // the number of cancellations then
+    int measured_at;                            // the number of cancellations then, or kNotMeasured
     bool operator<(const Candidate& o) const {  // for a heap: the cheapest first, then by ids
       return std::tie(cost, three, five) > std::tie(o.cost, o.three, o.five);
     }
@@ -83,7 +85,7 @@ class Reduction::Work {
     }
     if (!goes_on() || (queue_.empty() && !progress_)) {
       count_failures();
-      return retry_refused() || look_across() || look_thoroughly() || widen() ? Slice::working : Slice::ended;
+      return retry_refused() || look_across() || look_thoroughly() ? Slice::working : Slice::ended;
     }
     if (queue_.empty()) {
       begin_round();
@@ -170,19 +172,6 @@ class Reduction::Work {
     progress_ = true;
     return true;
   }
-  // In the end, lets cancellations lead further than the usual bound, if nobody asked for a bound. Returns whether that may
-  // help.
-  bool widen() {
-    if (widened_ || options_.max_deviation >= 0 || report_.after <= options_.until || report_.too_far == 0)
-      return false;
-    widened_ = true;
-    fit_.lift_bound();
-    memory_.forget(Reason::too_far);
-    failures_in_a_row_ = std::max(0, options_.patience - report_.too_far);  // only for these
-    queue_ = {};
-    progress_ = true;
-    return true;
-  }
   void count_failures() {
     report_.too_far = 0;
     report_.folded = 0;
@@ -228,7 +217,7 @@ class Reduction::Work {
   }
   // Takes back the last cancellations, and as many as it must, until the bound holds.
   void keep_bound() {
-    if (options_.max_deviation < 0 || fit_.is_within_bound()) return;
+    if (fit_.is_within_bound()) return;
     for (std::size_t step = 1; !made_.empty() && !fit_.is_within_bound(); ++step) {
       const std::size_t number = std::min((step + 3) / 4, made_.size());
       const Made& first = made_[made_.size() - number];
@@ -244,18 +233,17 @@ class Reduction::Work {
     if (is_three(v)) {
       for (const VertexId w :
            nearest(editor_, around_, v, kPartners, [&](VertexId x) { return is_five(x) && are_on_one_side(v, x); }))
-        add(v, w);
+        add(v, w, around_.distance(w));
     }
     if (is_five(v)) {
       for (const VertexId w :
            nearest(editor_, around_, v, kPartners, [&](VertexId x) { return is_three(x) && are_on_one_side(v, x); }))
-        add(w, v);
+        add(w, v, around_.distance(w));
     }
   }
-  void add(VertexId three, VertexId five) {
-    double cost = 0;
-    if (!memory_.would_fail({three, five}) && estimate(three, five, cost))
-      queue_.push({cost, three, five, memory_.stage()});
+  void add(VertexId three, VertexId five, int distance) {
+    const double guess = options_.cost == ReduceCost::fit ? kGuessedCost * distance : 0;
+    if (!memory_.would_fail({three, five})) queue_.push({guess, three, five, kNotMeasured});
   }
   void remember_failure(VertexId three, VertexId five, Reason why) {
     std::vector<VertexId> where = fit_.affected().near;
@@ -278,7 +266,7 @@ class Reduction::Work {
     memory_.fails({three, five}, Reason::refused, around_.met(), made.refusal);
     return false;
   }
-  // The same with fits on the way. Null if it is refused.
+  // The same with fits on the way. Null if it is refused, or if it is lost on the way.
   const Cancellation* make_fitted(VertexId three, VertexId five) {
     const std::size_t start = editor_.mark();
     if (memory_.plan({three, five}) == nullptr) {
@@ -287,12 +275,16 @@ class Reduction::Work {
     }
     const Cancellation* plan = memory_.plan({three, five});
     std::size_t fitted = start;
-    repeat(editor_, *plan, [&](std::size_t) {
-      if (editor_.mark() - fitted < (is_careful() ? kOften : kSeldom)) return;
+    const bool done = repeat(editor_, *plan, [&](std::size_t) {
+      if (editor_.mark() - fitted < (is_careful() ? kOften : kSeldom)) return true;
       fit_.fit_on_the_way(fitted);
       fitted = editor_.mark();
+      return thorough_ || !judge_.is_lost(start);
     });
-    return plan;
+    if (done) return plan;
+    remember_failure(three, five, judge_.reason());
+    editor_.roll_back(start);
+    return nullptr;
   }
 
   // What a cancellation seems to cost. Nothing is fitted for it, so this is quick: the paper's cost, or the number of
@@ -317,7 +309,7 @@ class Reduction::Work {
     return made;
   }
 
-  // The cheapest candidate by an estimate that is up to date; nothing if the queue is empty.
+  // The cheapest candidate, if its estimate is up to date. If not, it is measured and queued again, and nothing is returned.
   std::optional<Candidate> next_candidate() {
     while (!queue_.empty()) {
       Candidate c = queue_.top();
@@ -326,6 +318,7 @@ class Reduction::Work {
       if (c.measured_at == memory_.stage()) return c;
       c.measured_at = memory_.stage();
       if (estimate(c.three, c.five, c.cost)) queue_.push(c);
+      break;
     }
     return std::nullopt;
   }
@@ -388,7 +381,6 @@ class Reduction::Work {
   std::size_t queued_ = 0;     // so many of these have their candidates in the queue
   bool progress_ = true;       // something was cancelled in the round
   bool across_ = false;        // look_across()
-  bool widened_ = false;       // widen()
   ReduceReport report_;
   std::vector<Made> made_;
   ReductionMemory memory_;

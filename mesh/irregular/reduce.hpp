@@ -2,10 +2,11 @@
 //
 // Again and again the cheapest cancellation of a v3 and a v5 (complementary_operations.hpp) is made, and its
 // neighbourhood is fitted to the input (geometry/fitting.hpp), on the way, after some of its transports, and in the end.
-// A candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. Its cost is
-// measured by making it, without a fit, and rolling it back. Costs are kept in a priority queue. After each cancellation,
-// only the candidates round the vertices that it changed are added anew. A candidate is measured again when its turn
-// comes, if something has changed since where its helpers were looked for.
+// A candidate is a pair of near vertices of opposite index, with the nearest irregular vertices as helpers. It waits in a
+// priority queue, with a cost that is guessed from its distance. When its turn comes, its cost is measured by making it,
+// without a fit, and rolling it back. After each cancellation, only the candidates round the vertices that it changed are
+// added anew. A candidate is measured again when its turn comes, if something has changed since where its helpers were
+// looked for.
 //
 // Candidates are looked for quickly at first. When no more than some tens of pairs are left, which were refused or
 // inverted quads, these are looked for thoroughly: with longer searches and more fits. With a bound, fits take more time
@@ -18,7 +19,7 @@
 // Law irregular-32. Each cancellation lowers the sum of |excess| over all sectors by two or more. So the reduction
 //         ends, at the latest when the excesses of each patch have one sign. Discrete Gauss-Bonnet leaves nothing to
 //         cancel there: without features eight v3s on a sphere, 8 (g - 1) v5s at genus g > 1.
-// Law irregular-33. The result depends on nothing but the mesh and the options.
+// Law irregular-33. The result depends on nothing but the mesh and the options, and not on `run`.
 // Law irregular-34. If nothing is cancelled, nothing changes, unless a fit of all vertices was asked for. Whatever was
 //         not within some rings of an edit keeps its positions to the last bit.
 // Law irregular-35. The number of inverted faces does not grow, unless that is allowed. The hausdorff_distance() from
@@ -50,12 +51,12 @@ enum class ReduceCost {
 struct ReduceOptions {
   int until = 0;  // stop at so many irregular vertices
   ReduceCost cost = ReduceCost::fit;
-  // The largest hausdorff_distance() from the input that is allowed in the end, in units of length. Negative: no bound.
-  // Then what would lead further than 0.02 of the diagonal is left for the end.
+  // The largest hausdorff_distance() from the input that is allowed in the end, in units of length. Fits take more time if
+  // it is given. Negative: 0.02 of the diagonal, or no bound if there are no fits.
   double max_deviation = -1;
   // How far the mean scaled Jacobian may fall below that of the input. Negative: no bound.
   double max_quality_loss = -1;
-  int patience = 32;  // ends after so many cancellations in a row that were not acceptable; 0: tries all, thoroughly
+  int patience = 64;  // ends after so many cancellations in a row that were not acceptable; 0: tries all, thoroughly
   int sweeps = 3;     // in each round of a fit (FitOptions); 0: vertices stay where the operations leave them
   int final_rounds = 20;  // of the fit in the end, of all that was touched
   bool fit_all = false;   // the fit in the end moves all vertices, even if nothing was cancelled
@@ -65,6 +66,7 @@ struct ReduceOptions {
   // 3 and 5.
   std::optional<Mirror> symmetry;
   std::function<void(int irregular)> progress;  // told after each cancellation
+  RunTasks run;                                 // of fits; empty: one thread
 };
 
 struct ReduceReport {

@@ -23,10 +23,12 @@ ReductionFit::ReductionFit(Editor& editor, const ReduceOptions& options, const M
       start_(editor.mark()) {
   editor.keep(&homes_);
   const double avoided = kUsualTolerance * bounding_box_diagonal(m_, input_positions_);
-  usual_bound_ = options.max_deviation >= 0 ? options.max_deviation : 4 * avoided;
-  bound_ = usual_bound_;
+  bound_ = options.max_deviation >= 0 ? options.max_deviation
+           : options.sweeps > 0       ? 4 * avoided
+                                      : std::numeric_limits<double>::infinity();
   fitting_.tolerance = bound_ > 0 ? std::min(avoided, bound_ / 2) : avoided;
   fitting_.sweeps = std::max(options.sweeps, 1);
+  fitting_.run = options.run;
   input_quality_ = mean_quality();
 }
 
@@ -91,18 +93,15 @@ void ReductionFit::straighten() {
 }
 
 void ReductionFit::fit_in_the_end() {
-  const bool done = std::any_of(kFinalQualities.begin(), kFinalQualities.end(),
-                                [this](double quality) { return fit_in_the_end(quality, usual_bound_); });
-  // If nobody asked for the bound, the surface comes first.
-  if (done || options_.max_deviation >= 0) return;
-  lift_bound();
-  fit_in_the_end(kQualityWeight, bound_);
+  for (const double quality : kFinalQualities) {
+    if (fit_in_the_end(quality)) return;
+  }
 }
 
 // In some rounds at a time. Where they invert a quad, its vertices go back to where they were. What leads beyond the
 // bound or is worse than the options allow is taken back, up to the last rounds that are neither. Returns whether there
 // are such.
-bool ReductionFit::fit_in_the_end(double quality, double bound) {
+bool ReductionFit::fit_in_the_end(double quality) {
   constexpr int kAtATime = 5;
   const double quality_before = mean_quality();
   const int inverted = count_inverted(m_, positions());
@@ -128,7 +127,7 @@ bool ReductionFit::fit_in_the_end(double quality, double bound) {
         break;  // more rounds would do the same again
       }
     }
-    if (!is_within(bound)) continue;
+    if (!is_within_bound()) continue;
     const double now = mean_quality();
     if (options_.max_quality_loss >= 0 && now < input_quality_ - options_.max_quality_loss && now < quality_before)
       continue;
@@ -170,11 +169,9 @@ std::size_t ReductionFit::carry() {
 
 // --- what is lost ----------------------------------------------------------------------------------------------------
 
-void ReductionFit::lift_bound() { bound_ = std::numeric_limits<double>::infinity(); }
-
-bool ReductionFit::is_within(double bound) const {
-  return !std::isfinite(bound) || (mesh::is_within({m_, positions()}, surface_, bound) &&
-                                   mesh::is_within({input_, input_positions_}, SurfaceIndex(m_, positions()), bound));
+bool ReductionFit::is_within_bound() const {
+  return !std::isfinite(bound_) || (is_within({m_, positions()}, surface_, bound_) &&
+                                    is_within({input_, input_positions_}, SurfaceIndex(m_, positions()), bound_));
 }
 
 bool ReductionFit::is_too_far() const {

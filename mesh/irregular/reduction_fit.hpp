@@ -3,8 +3,7 @@
 // Terms
 //   surface   The mesh with its positions when the fits began.
 //   region    What some edits affected (editing/affected_region.hpp). Each fit has one; affected() is that of the last.
-//   bound     The largest hausdorff_distance() from the surface. It is that of the options. If they have none, it is 0.02
-//             of the diagonal until it is lifted.
+//   bound     The largest hausdorff_distance() from the surface (ReduceOptions::max_deviation).
 #pragma once
 
 #include <array>
@@ -51,11 +50,10 @@ class ReductionFit {
   // How many samples lose their face by the edits since the last fit. They are carried then. O(samples).
   std::size_t carry();
 
-  // In units of length; infinite once it is lifted.
+  // In units of length; infinite if there is none.
   double bound() const { return bound_; }
-  void lift_bound();
   // Of the whole mesh. O(F) queries of the nearest point.
-  bool is_within_bound() const { return is_within(bound_); }
+  bool is_within_bound() const;
   // Whether something of the region uses more of the bound than a cancellation may, since later ones need some, too.
   bool is_too_far() const;
   // The largest distance in the region of samples from their homes, and of the corners and centres of faces from the
@@ -85,9 +83,8 @@ class ReductionFit {
   std::span<const VertexId> inner() const;  // of the region
   std::vector<VertexId> near_inverted(int rings);
   void fit(std::span<const VertexId> vertices, const FitOptions& how);
-  bool fit_in_the_end(double quality, double bound);
+  bool fit_in_the_end(double quality);
   void put_back_inverted(std::size_t mark);
-  bool is_within(double bound) const;
   std::vector<FaceId> affected_faces() const;
 
   Editor& editor_;
@@ -100,7 +97,6 @@ class ReductionFit {
   SurfaceIndex surface_;
   FitOptions fitting_;
   double bound_ = 0;
-  double usual_bound_ = 0;  // before it is lifted
   double input_quality_ = 0;
   std::size_t start_;
   BreadthFirstDistances around_;

@@ -16,6 +16,7 @@ constexpr int kCarefulRescues = 4;
 // how_far_from_acceptable(): beyond it no fit helps, neither for good quads nor with more effort.
 constexpr double kHopeless = 1.5;
 constexpr double kHopelessStraightened = 0.7;
+constexpr int kMostOnTheWay = 10;  // inverted quads, beside those before
 
 }  // namespace
 
@@ -61,6 +62,13 @@ bool ReductionJudge::accepts(std::size_t mark, bool careful) {
     if (is_acceptable() || is_acceptable_straightened()) return true;
   }
   return false;
+}
+
+bool ReductionJudge::is_lost(std::size_t mark) {
+  if (options_.allow_inverted) return false;
+  reason_ = Reason::folded;
+  fit_.look_since(mark, 1);
+  return values_.change(fit_.affected()).inverted / 4 > kMostOnTheWay;
 }
 
 bool ReductionJudge::is_acceptable_straightened() {

@@ -16,6 +16,8 @@ class ReductionJudge {
   // Fits what was made since the mark until it is acceptable, or there seems to be no hope. Returns whether it is.
   // careful: with more effort.
   bool accepts(std::size_t mark, bool careful);
+  // Whether what was made since the mark has inverted so many quads that it will not be acceptable in the end.
+  bool is_lost(std::size_t mark);
   // Why the last one is not acceptable.
   ReductionMemory::Reason reason() const { return reason_; }
 

@@ -147,7 +147,7 @@ class Session {
 
   // Cancels pairs step by step, the cheapest first (irregular/reduce.hpp), until so many irregular vertices are left or
   // none can be cancelled; each cancellation is a step. The mesh stays within the deviation (of its diagonal; negative:
-  // no bound) from what it is now. Any other step, and undo(), end the reduction.
+  // as ReduceOptions has it) from what it is now. Any other step, and undo(), end the reduction.
   void start_reduction(int until, double deviation);
   // Works for some milliseconds. Precondition: a reduction runs.
   using Slice = mesh::Reduction::Slice;

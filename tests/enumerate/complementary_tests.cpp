@@ -91,12 +91,18 @@ TEST_CASE("section 8: a 3-5 pair is cancelled with a third vertex, and never wit
     editor.roll_back();
     CHECK(m == region.mesh);
     std::vector<std::size_t> marks;
-    repeat(editor, done, [&](std::size_t mark) { marks.push_back(mark); });
+    CHECK(repeat(editor, done, [&](std::size_t mark) { return marks.push_back(mark), true; }));
     CHECK(m == cancelled);
     REQUIRE(static_cast<int>(marks.size()) == done.transports);
     CHECK(marks[0] == 0);
     for (std::size_t i = 1; i < marks.size(); ++i) CHECK(marks[i] == done.ends[i - 1]);
     CHECK(static_cast<int>(done.ends.back()) == done.steps);
+    // It can be left off after a transport.
+    editor.roll_back();
+    CHECK_FALSE(repeat(editor, done, [](std::size_t) { return false; }));
+    CHECK(editor.mark() == done.ends[0]);
+    editor.roll_back();
+    REQUIRE(repeat(editor, done, [](std::size_t) { return true; }));
     CHECK(m.vertex_count() - m.face_count() == region.mesh.vertex_count() - region.mesh.face_count());
   });
   CHECK(fillings == 75);

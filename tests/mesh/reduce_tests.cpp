@@ -1,6 +1,7 @@
 // The reduction of generated and real meshes to their topological minimum.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -10,6 +11,8 @@
 #include "mesh/editing/untangling.hpp"
 #include "mesh/files/feature_edges.hpp"
 #include "mesh/files/surface.hpp"
+#include "mesh/geometry/hausdorff_distance.hpp"
+#include "mesh/geometry/measures.hpp"
 #include "mesh/irregular/reduce.hpp"
 #include "mesh/topology/separatrix.hpp"
 #include "mesh/topology/validate.hpp"
@@ -107,6 +110,33 @@ TEST_CASE("reduce stops at the given number of vertices, and keeps to the given 
   CHECK_FALSE(report.minimal);
   CHECK(report.after > 8);
   CHECK(report.after < report.before);
+}
+
+TEST_CASE("Laws irregular-33 and 35: the result does not depend on the order of tasks, and the usual bound holds",
+          "[reduce][real]") {
+  const auto path = tests::real_mesh("bigguy");
+  if (!path) return;
+  const Surface input = read_surface(*path, false);
+  const double diagonal = bounding_box_diagonal(input.mesh, input.positions);
+  std::vector<Positions> results;
+  for (const bool divided : {false, true}) {
+    QuadMesh m = input.mesh;
+    Positions positions = input.positions;
+    Editor editor(m, nullptr, &positions);
+    ReduceOptions how;
+    if (divided) {
+      how.run = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+        for (std::size_t i = count; i > 0; --i) task(i - 1);
+      };
+    }
+    const ReduceReport report = reduce(editor, how);
+    CHECK(report.cancelled > 50);
+    CHECK(count_inverted(m, positions) <= count_inverted(input.mesh, input.positions));
+    CHECK(hausdorff_distance({m, positions}, {input.mesh, input.positions}) <= 0.02 * diagonal);
+    results.push_back(positions);
+  }
+  REQUIRE(results[0].size() == results[1].size());
+  for (std::size_t i = 0; i < results[0].size(); ++i) CHECK(same_bits(results[0][i], results[1][i]));
 }
 
 TEST_CASE("features and boundaries are kept bit by bit", "[reduce][real]") {

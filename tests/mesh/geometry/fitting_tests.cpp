@@ -1,6 +1,7 @@
 // Correspondences, quad shapes and fits.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "mesh/files/surface.hpp"
 #include "mesh/geometry/correspondence.hpp"
 #include "mesh/geometry/fitting.hpp"
+#include "mesh/geometry/in_chunks.hpp"
 #include "mesh/geometry/quad_shape.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/mesh/meshes.hpp"
@@ -71,7 +73,58 @@ int edit_at_random(Editor& editor, int wanted, unsigned seed) {
   return made;
 }
 
+// Does the tasks of a loop the other way round, as threads may.
+void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = count; i > 0; --i) task(i - 1);
+}
+
 }  // namespace
+
+TEST_CASE("a loop in chunks makes each round once", "[fitting]") {
+  for (const std::size_t count : {0, 1, 7, 16, 17, 100, 1000}) {
+    std::vector<int> visits(count);
+    std::size_t tasks = 0;
+    const RunTasks counted = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
+      tasks = n;
+      backwards(n, task);
+    };
+    for (const RunTasks& run : {RunTasks(), RunTasks(counted)}) {
+      std::fill(visits.begin(), visits.end(), 0);
+      in_chunks(run, count, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) ++visits[i];
+      });
+      CHECK(std::count(visits.begin(), visits.end(), 1) == static_cast<std::ptrdiff_t>(count));
+    }
+    CHECK((tasks > 1) == (count >= 16));  // a short loop is not worth it
+  }
+}
+
+TEST_CASE("Law geometry-11: a fit is the same in whatever order its tasks run", "[fitting]") {
+  for (const bool joint : {false, true}) {
+    std::vector<Positions> results;
+    std::vector<std::vector<double>> homes_then;
+    for (const bool divided : {false, true}) {
+      const BumpySheet sheet = bumpy_sheet(20, 18);
+      QuadMesh m = sheet.mesh;
+      Positions positions = sheet.positions;
+      const SurfaceIndex surface(m, positions);
+      Correspondence homes(m, positions);
+      Editor editor(m, nullptr, &positions);
+      editor.keep(&homes);
+      REQUIRE(edit_at_random(editor, 30, 3) == 30);
+      FitOptions how;
+      how.joint = joint;
+      if (divided) how.run = backwards;
+      editor.fit(m.vertices(), surface, how);
+      results.push_back(positions);
+      homes_then.push_back(state(m, homes));
+      editor.keep(nullptr);
+    }
+    REQUIRE(results[0].size() == results[1].size());
+    for (std::size_t i = 0; i < results[0].size(); ++i) CHECK(same_bits(results[0][i], results[1][i]));
+    CHECK(homes_then[0] == homes_then[1]);
+  }
+}
 
 TEST_CASE("at the start every sample of a surface is at home where it lies", "[fitting]") {
   const BumpySheet s = bumpy_sheet(9, 7);
