@@ -27,8 +27,9 @@ constexpr int kPositions = 200;  // that a transport may visit
 constexpr CancellationEffort kEffort{.positions = 1000, .detours = 10};
 constexpr int kThoroughPositions = 1000;
 constexpr std::size_t kFew = 32;
-constexpr std::size_t kSeldom = 16;     // edits between two fits on the way
-constexpr std::size_t kOften = 4;       // the same, if it is looked for thoroughly
+constexpr std::size_t kSeldom = 16;  // edits between two fits on the way
+constexpr std::size_t kOften = 4;    // the same, if it is looked for thoroughly
+constexpr int kMostRetreats = 2;
 constexpr int kRefresh = 4;             // cancellations between two fits of all that was touched
 constexpr double kOperationCost = 0.3;  // beside a face that is lost, which costs 1
 constexpr double kGuessedCost = 6;      // of a candidate, for each edge between its vertices: about what is measured
@@ -51,10 +52,12 @@ class Reduction::Work {
 
   // What a cancellation that was made adds to the report.
   struct Made {
+    ReductionMemory::Pair pair;
     std::size_t start;   // the editor's mark before it
     std::size_t images;  // that of the mirror
     int transports;
     int operations;
+    int parted;  // ReduceReport::parted before it
   };
 
  public:
@@ -98,8 +101,33 @@ class Reduction::Work {
   }
   int irregular() const { return report_.after; }
 
-  ReduceReport conclude() {
+  // What leads too far may be between the samples that is_too_far() asks about, and early. Then those after it stay only if
+  // they can be made without it.
+  bool retreat() {
+    if (retreats_ == kMostRetreats) return false;
     finish();
+    finished_ = true;
+    if (fit_.is_within_bound() || made_.empty()) return false;
+    finished_ = false;
+    ++retreats_;
+    std::vector<Made> wrong;
+    while (!made_.empty() && !fit_.is_within_bound()) wrong = take_back();
+    report_.parted = wrong.front().parted;
+    memory_.forget_failures();
+    memory_.forget_costs();
+    for (const Made& made : wrong) memory_.fails(made.pair, Reason::too_far, {});
+    failures_in_a_row_ = 0;
+    taken_back_ = 0;
+    thorough_ = options_.patience == 0;
+    retried_at_ = -1;
+    progress_ = true;
+    queue_ = {};
+    queued_ = all_.size();
+    report_.after = count_irregular();
+    return true;
+  }
+  ReduceReport conclude() {
+    if (!finished_) finish();
     keep_bound();
     report_.after = count_irregular();
     const int sides = mirror_ ? 2 : 1;
@@ -198,7 +226,7 @@ class Reduction::Work {
     const int parted = part_all(editor_);
     if (parted == 0) return;
     fit_.fit_made(start);
-    if (options_.allow_inverted || count_inverted(m_, positions()) <= inverted) {
+    if ((options_.allow_inverted || count_inverted(m_, positions()) <= inverted) && fit_.is_within_bound()) {
       report_.parted += parted;
       memory_.forget_failures();
     } else {
@@ -218,15 +246,19 @@ class Reduction::Work {
   // Takes back the last cancellations, and as many as it must, until the bound holds.
   void keep_bound() {
     if (fit_.is_within_bound()) return;
-    for (std::size_t step = 1; !made_.empty() && !fit_.is_within_bound(); ++step) {
-      const std::size_t number = std::min((step + 3) / 4, made_.size());
-      const Made& first = made_[made_.size() - number];
-      editor_.roll_back(first.start);
-      if (mirror_) mirror_->roll_back(first.images);
-      made_.resize(made_.size() - number);
-      report_.too_far += static_cast<int>(number);
-    }
+    taken_back_ = 0;
+    while (!made_.empty() && !fit_.is_within_bound()) report_.too_far += static_cast<int>(take_back().size());
     finish();
+  }
+  // Takes back the last cancellations, more at a time the more often it did so. Returns these.
+  std::vector<Made> take_back() {
+    const std::size_t number = std::min(++taken_back_ / 4 + 1, made_.size());
+    const auto first = made_.end() - static_cast<std::ptrdiff_t>(number);
+    const std::vector<Made> taken(first, made_.end());
+    made_.erase(first, made_.end());
+    editor_.roll_back(taken.front().start);
+    if (mirror_) mirror_->roll_back(taken.front().images);
+    return taken;
   }
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
@@ -344,7 +376,7 @@ class Reduction::Work {
       return false;
     }
     failures_in_a_row_ = 0;
-    made_.push_back({before, images, made->transports, made->steps});
+    made_.push_back({{c->three, c->five}, before, images, made->transports, made->steps, report_.parted});
     memory_.begin_stage(std::array{&fit_.affected().removed, &fit_.affected().changed});
     values_.remember(fit_.affected());
     report_.after = values_.irregular();
@@ -385,20 +417,26 @@ class Reduction::Work {
   std::vector<Made> made_;
   ReductionMemory memory_;
   int failures_in_a_row_ = 0;
-  int refreshed_at_ = 0;  // ReductionMemory::stage()
-  int retried_at_ = -1;   // the same
+  int refreshed_at_ = 0;        // ReductionMemory::stage()
+  int retried_at_ = -1;         // the same
+  std::size_t taken_back_ = 0;  // times, by take_back()
+  int retreats_ = 0;
+  bool finished_ = false;  // by retreat()
 };
 
 Reduction::Reduction(Editor& editor, const ReduceOptions& options) : work_(std::make_unique<Work>(editor, options)) {}
 Reduction::~Reduction() = default;
 Reduction::Slice Reduction::advance() { return work_->advance(); }
 int Reduction::irregular() const { return work_->irregular(); }
+bool Reduction::retreat() { return work_->retreat(); }
 ReduceReport Reduction::finish() { return work_->conclude(); }
 
 ReduceReport reduce(Editor& editor, const ReduceOptions& options) {
   Reduction reduction(editor, options);
-  while (reduction.advance() != Reduction::Slice::ended) {
-  }
+  do {
+    while (reduction.advance() != Reduction::Slice::ended) {
+    }
+  } while (reduction.retreat());
   return reduction.finish();
 }
 

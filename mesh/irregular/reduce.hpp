@@ -102,6 +102,10 @@ class Reduction {
   Slice advance();
   // The number of irregular vertices now.
   int irregular() const;
+  // Fits what was touched. If it is too far from the input then, takes back the last cancellations, and as many as it must;
+  // the first of these are not made again. Returns whether it did, so that advance() may find others. Precondition: advance()
+  // has ended.
+  bool retreat();
   // Fits what was touched. Takes back the last cancellations if max_deviation asks for that; those before them, and
   // their edits, stay. Nothing follows.
   ReduceReport finish();
