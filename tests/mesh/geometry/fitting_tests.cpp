@@ -81,7 +81,7 @@ void backwards(std::size_t count, const std::function<void(std::size_t)>& task) 
 }  // namespace
 
 TEST_CASE("a loop in chunks makes each round once", "[fitting]") {
-  for (const std::size_t count : {0, 1, 7, 16, 17, 100, 1000}) {
+  for (const std::size_t count : {0U, 1U, 7U, 16U, 17U, 100U, 1000U}) {
     std::vector<int> visits(count);
     std::size_t tasks = 0;
     const RunTasks counted = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
