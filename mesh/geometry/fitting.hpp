@@ -54,7 +54,7 @@ struct FitOptions {
 };
 
 // The samples of all faces at the given vertices settle, in the end too. `surface` is the correspondence's surface.
-// Precondition: the vertices are live.
+// Precondition: the vertices are live, and each is given once.
 void fit(const QuadMesh& mesh, Positions& positions, std::span<const VertexId> vertices, Correspondence& homes,
          const SurfaceIndex& surface, const FitOptions& options);
 

@@ -106,18 +106,14 @@ class Reduction::Work {
   bool retreat() {
     if (retreats_ == kMostRetreats) return false;
     finish();
-    finished_ = true;
-    if (fit_.is_within_bound() || made_.empty()) return false;
-    finished_ = false;
+    const std::vector<Made> wrong = keep_bound();
+    finished_ = wrong.empty();
+    if (finished_) return false;
     ++retreats_;
-    std::vector<Made> wrong;
-    while (!made_.empty() && !fit_.is_within_bound()) wrong = take_back();
-    report_.parted = wrong.front().parted;
     memory_.forget_failures();
     memory_.forget_costs();
     for (const Made& made : wrong) memory_.fails(made.pair, Reason::too_far, {});
     failures_in_a_row_ = 0;
-    taken_back_ = 0;
     thorough_ = options_.patience == 0;
     retried_at_ = -1;
     progress_ = true;
@@ -127,8 +123,10 @@ class Reduction::Work {
     return true;
   }
   ReduceReport conclude() {
-    if (!finished_) finish();
-    keep_bound();
+    if (!finished_) {
+      finish();
+      if (!keep_bound().empty()) finish();
+    }
     report_.after = count_irregular();
     const int sides = mirror_ ? 2 : 1;
     report_.cancelled = sides * static_cast<int>(made_.size());
@@ -243,22 +241,20 @@ class Reduction::Work {
     if (options_.final_rounds == 0 || (made_.empty() && !options_.fit_all)) return;
     fit_.fit_in_the_end();
   }
-  // Takes back the last cancellations, and as many as it must, until the bound holds.
-  void keep_bound() {
-    if (fit_.is_within_bound()) return;
-    taken_back_ = 0;
-    while (!made_.empty() && !fit_.is_within_bound()) report_.too_far += static_cast<int>(take_back().size());
-    finish();
-  }
-  // Takes back the last cancellations, more at a time the more often it did so. Returns these.
-  std::vector<Made> take_back() {
-    const std::size_t number = std::min(++taken_back_ / 4 + 1, made_.size());
-    const auto first = made_.end() - static_cast<std::ptrdiff_t>(number);
-    const std::vector<Made> taken(first, made_.end());
-    made_.erase(first, made_.end());
-    editor_.roll_back(taken.front().start);
-    if (mirror_) mirror_->roll_back(taken.front().images);
-    return taken;
+  // Takes back the last cancellations, and as many as it must, until the bound holds. Returns those of the last time.
+  std::vector<Made> keep_bound() {
+    std::vector<Made> last;
+    for (std::size_t step = 1; !made_.empty() && !fit_.is_within_bound(); ++step) {
+      const std::size_t number = std::min(step / 4 + 1, made_.size());
+      const auto first = made_.end() - static_cast<std::ptrdiff_t>(number);
+      last.assign(first, made_.end());
+      made_.erase(first, made_.end());
+      editor_.roll_back(last.front().start);
+      if (mirror_) mirror_->roll_back(last.front().images);
+      report_.parted = last.front().parted;
+      report_.too_far += static_cast<int>(number);
+    }
+    return last;
   }
   // Pairs of v with its nearest partners of opposite index.
   void add_candidates(VertexId v) {
@@ -417,9 +413,8 @@ class Reduction::Work {
   std::vector<Made> made_;
   ReductionMemory memory_;
   int failures_in_a_row_ = 0;
-  int refreshed_at_ = 0;        // ReductionMemory::stage()
-  int retried_at_ = -1;         // the same
-  std::size_t taken_back_ = 0;  // times, by take_back()
+  int refreshed_at_ = 0;  // ReductionMemory::stage()
+  int retried_at_ = -1;   // the same
   int retreats_ = 0;
   bool finished_ = false;  // by retreat()
 };

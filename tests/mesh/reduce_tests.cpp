@@ -1,7 +1,6 @@
 // The reduction of generated and real meshes to their topological minimum.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -143,11 +142,7 @@ TEST_CASE("Laws irregular-33 and 35: the result does not depend on the order of 
     Positions positions = input.positions;
     Editor editor(m, nullptr, &positions);
     ReduceOptions how;
-    if (divided) {
-      how.run = [](std::size_t count, const std::function<void(std::size_t)>& task) {
-        for (std::size_t i = count; i > 0; --i) task(i - 1);
-      };
-    }
+    if (divided) how.run = tests::backwards;
     const ReduceReport report = reduce(editor, how);
     CHECK(report.cancelled > 50);
     CHECK(count_inverted(m, positions) <= count_inverted(input.mesh, input.positions));

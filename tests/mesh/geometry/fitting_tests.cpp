@@ -73,11 +73,6 @@ int edit_at_random(Editor& editor, int wanted, unsigned seed) {
   return made;
 }
 
-// Does the tasks of a loop the other way round, as threads may.
-void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
-  for (std::size_t i = count; i > 0; --i) task(i - 1);
-}
-
 }  // namespace
 
 TEST_CASE("a loop in chunks makes each round once", "[fitting]") {
@@ -86,7 +81,7 @@ TEST_CASE("a loop in chunks makes each round once", "[fitting]") {
     std::size_t tasks = 0;
     const RunTasks counted = [&](std::size_t n, const std::function<void(std::size_t)>& task) {
       tasks = n;
-      backwards(n, task);
+      tests::backwards(n, task);
     };
     for (const RunTasks& run : {RunTasks(), RunTasks(counted)}) {
       std::fill(visits.begin(), visits.end(), 0);
@@ -114,7 +109,7 @@ TEST_CASE("Law geometry-11: a fit is the same in whatever order its tasks run", 
       REQUIRE(edit_at_random(editor, 30, 3) == 30);
       FitOptions how;
       how.joint = joint;
-      if (divided) how.run = backwards;
+      if (divided) how.run = tests::backwards;
       editor.fit(m.vertices(), surface, how);
       results.push_back(positions);
       homes_then.push_back(state(m, homes));

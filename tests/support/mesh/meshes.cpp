@@ -192,4 +192,8 @@ std::map<int, int> irregular_valences(const mesh::QuadMesh& m) {
   return result;
 }
 
+void backwards(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = count; i > 0; --i) task(i - 1);
+}
+
 }  // namespace requad::tests

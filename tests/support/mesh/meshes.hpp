@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -56,5 +58,8 @@ mesh::Region grid(int columns, int rows);
 mesh::Positions random_positions(const mesh::QuadMesh& mesh, std::mt19937& random);
 // The number of irregular vertices of each valence.
 std::map<int, int> irregular_valences(const mesh::QuadMesh& mesh);
+
+// Does the tasks of a loop the other way round, as threads may (mesh/geometry/in_chunks.hpp).
+void backwards(std::size_t count, const std::function<void(std::size_t)>& task);
 
 }  // namespace requad::tests
